@@ -1,0 +1,395 @@
+// The number type of the pair loop: one number, or as many as the processor computes at once.
+//
+// A term's function is a template over its numbers and never mentions this class. The pair loop hands it
+// Pack<Real, width> with the width of the machine (`native_width`), the particle loop Pack<Real, 1>. Built on the
+// vector extension of g++ and clang; without it (or in device code) only width 1 is used.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+#if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__)
+#define IMBIBE_VECTOR_EXTENSION 1
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+#else
+#define IMBIBE_VECTOR_EXTENSION 0
+#endif
+
+#if defined(__GNUC__) || defined(__clang__)
+#define IMBIBE_INLINE __attribute__((always_inline)) inline
+#else
+#define IMBIBE_INLINE inline
+#endif
+
+namespace imbibe {
+
+/// How many numbers of type Real this translation unit's instruction set computes at once.
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+template <class Real>
+inline constexpr int native_width = 64 / sizeof(Real);
+#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
+template <class Real>
+inline constexpr int native_width = 32 / sizeof(Real);
+#elif IMBIBE_VECTOR_EXTENSION && (defined(__SSE2__) || defined(__ARM_NEON))
+template <class Real>
+inline constexpr int native_width = 16 / sizeof(Real);
+#else
+template <class Real>
+inline constexpr int native_width = 1;
+#endif
+
+namespace detail {
+
+template <class Real, int width>
+struct PackStorage {
+#if IMBIBE_VECTOR_EXTENSION
+    using type [[gnu::vector_size(sizeof(Real) * width)]] = Real; // not a typedef: GCC would drop the attribute
+#endif
+};
+template <class Real>
+struct PackStorage<Real, 1> {
+    using type = Real;
+};
+
+template <class Real, int width>
+struct MaskStorage {
+    using Integer = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+#if IMBIBE_VECTOR_EXTENSION
+    using type [[gnu::vector_size(sizeof(Real) * width)]] = Integer;
+#endif
+};
+template <class Real>
+struct MaskStorage<Real, 1> {
+    using type = bool;
+};
+
+} // namespace detail
+
+/// The outcome of comparing two packs: one truth value per lane.
+template <class Real, int width>
+struct Mask {
+    using Lanes = typename detail::MaskStorage<Real, width>::type;
+    Lanes lanes;
+
+    friend IMBIBE_INLINE constexpr Mask operator&(Mask a, Mask b) {
+        if constexpr (width == 1)
+            return {a.lanes && b.lanes};
+        else
+            return {a.lanes & b.lanes};
+    }
+    friend IMBIBE_INLINE constexpr Mask operator|(Mask a, Mask b) {
+        if constexpr (width == 1)
+            return {a.lanes || b.lanes};
+        else
+            return {a.lanes | b.lanes};
+    }
+};
+
+/// `width` numbers of type Real that go through the same arithmetic. Plain numbers mix in and are converted to Real.
+template <class Real, int width>
+struct Pack {
+    using Lanes = typename detail::PackStorage<Real, width>::type;
+    using Scalar = Real;
+    static constexpr int size = width;
+
+    Lanes lanes;
+
+    Pack() = default;
+    IMBIBE_INLINE constexpr Pack(Lanes values) requires(width > 1) : lanes(values) {}
+    /// The same number in every lane.
+    template <class A>
+        requires std::is_arithmetic_v<A>
+    IMBIBE_INLINE constexpr Pack(A number) : lanes(broadcast(static_cast<Real>(number))) {}
+
+    /// The numbers at `from`, `from + 1`, ...; no alignment is asked for.
+    IMBIBE_INLINE static constexpr Pack load(const Real* from) {
+        if constexpr (width == 1) {
+            return Pack(*from);
+        } else {
+            Pack p;
+            __builtin_memcpy(&p.lanes, from, sizeof(Lanes));
+            return p;
+        }
+    }
+    /// The number in lane k.
+    IMBIBE_INLINE constexpr Real operator[]([[maybe_unused]] int k) const {
+        if constexpr (width == 1)
+            return lanes;
+        else
+            return lanes[k];
+    }
+    /// The number itself, for packs of one.
+    IMBIBE_INLINE constexpr explicit operator Real() const requires(width == 1) { return lanes; }
+
+    friend IMBIBE_INLINE constexpr Pack operator+(Pack a, Pack b) { return made(a.lanes + b.lanes); }
+    friend IMBIBE_INLINE constexpr Pack operator-(Pack a, Pack b) { return made(a.lanes - b.lanes); }
+    friend IMBIBE_INLINE constexpr Pack operator*(Pack a, Pack b) { return made(a.lanes * b.lanes); }
+    friend IMBIBE_INLINE constexpr Pack operator/(Pack a, Pack b) { return made(a.lanes / b.lanes); }
+    friend IMBIBE_INLINE constexpr Pack operator-(Pack a) { return made(-a.lanes); }
+    friend IMBIBE_INLINE constexpr Pack operator+(Pack a) { return a; }
+    IMBIBE_INLINE constexpr Pack& operator+=(Pack b) { return *this = *this + b; }
+    IMBIBE_INLINE constexpr Pack& operator-=(Pack b) { return *this = *this - b; }
+    IMBIBE_INLINE constexpr Pack& operator*=(Pack b) { return *this = *this * b; }
+    IMBIBE_INLINE constexpr Pack& operator/=(Pack b) { return *this = *this / b; }
+
+    friend IMBIBE_INLINE constexpr Mask<Real, width> operator<(Pack a, Pack b) { return {a.lanes < b.lanes}; }
+    friend IMBIBE_INLINE constexpr Mask<Real, width> operator>(Pack a, Pack b) { return {a.lanes > b.lanes}; }
+    friend IMBIBE_INLINE constexpr Mask<Real, width> operator<=(Pack a, Pack b) { return {a.lanes <= b.lanes}; }
+    friend IMBIBE_INLINE constexpr Mask<Real, width> operator>=(Pack a, Pack b) { return {a.lanes >= b.lanes}; }
+
+private:
+    IMBIBE_INLINE static constexpr Pack made(Lanes values) {
+        Pack p{};
+        p.lanes = values;
+        return p;
+    }
+    IMBIBE_INLINE static constexpr Lanes broadcast(Real x) {
+        if constexpr (width == 1)
+            return x;
+        else
+            return x - Lanes{}; // minus zero leaves every number as it is, also -0
+    }
+};
+
+/// One number in the clothes of a pack: what particle functions receive.
+template <class Real>
+using Number = Pack<Real, 1>;
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_pack = false;
+template <class Real, int width>
+inline constexpr bool is_pack<Pack<Real, width>> = true;
+
+// A square root that constant evaluation can pass through: there the value is irrelevant (dry runs of terms), so a
+// few Newton steps from above are good enough.
+template <class Real>
+constexpr Real constant_sqrt(Real x) {
+    if (!(x > 0))
+        return Real(0);
+    Real y = x > 1 ? x : Real(1);
+    for (int k = 0; k < 64; ++k)
+        y = (y + x / y) / 2;
+    return y;
+}
+
+template <class Real>
+IMBIBE_INLINE constexpr Real scalar_sqrt(Real x) {
+    if (std::is_constant_evaluated())
+        return constant_sqrt(x);
+    return std::sqrt(x);
+}
+
+template <class Real, int width, class F>
+IMBIBE_INLINE constexpr Pack<Real, width> lane_by_lane(Pack<Real, width> x, F f) {
+    if constexpr (width == 1) {
+        return Pack<Real, width>(f(x.lanes));
+    } else {
+        for (int k = 0; k < width; ++k)
+            x.lanes[k] = f(x.lanes[k]);
+        return x;
+    }
+}
+
+} // namespace detail
+
+/// a where the mask is true, b elsewhere.
+template <class Real, int width>
+IMBIBE_INLINE constexpr Pack<Real, width> select(Mask<Real, width> where, std::type_identity_t<Pack<Real, width>> a,
+                                                 std::type_identity_t<Pack<Real, width>> b) {
+    if constexpr (width == 1)
+        return where.lanes ? a : b;
+    else
+        return Pack<Real, width>(static_cast<typename Pack<Real, width>::Lanes>(where.lanes ? a.lanes : b.lanes));
+}
+template <class A>
+    requires std::is_floating_point_v<A>
+IMBIBE_INLINE constexpr A select(bool where, A a, std::type_identity_t<A> b) {
+    return where ? a : b;
+}
+
+// The zero-masking forms with a full mask below are the plain instructions; g++ 12 warns of an uninitialised value
+// inside its own header for the unmasked ones.
+
+/// The larger of two numbers, lane by lane. One instruction where the machine has one.
+template <class Real, int width>
+IMBIBE_INLINE constexpr Pack<Real, width> max(Pack<Real, width> a, std::type_identity_t<Pack<Real, width>> b) {
+    using P = Pack<Real, width>;
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+    if constexpr (width * sizeof(Real) == 64 && sizeof(Real) == 4)
+        return P(typename P::Lanes(_mm512_maskz_max_ps(0xffff, __m512(a.lanes), __m512(b.lanes))));
+    else if constexpr (width * sizeof(Real) == 64)
+        return P(typename P::Lanes(_mm512_maskz_max_pd(0xff, __m512d(a.lanes), __m512d(b.lanes))));
+    else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
+    if constexpr (width * sizeof(Real) == 32 && sizeof(Real) == 4)
+        return P(typename P::Lanes(_mm256_max_ps(__m256(a.lanes), __m256(b.lanes))));
+    else if constexpr (width * sizeof(Real) == 32)
+        return P(typename P::Lanes(_mm256_max_pd(__m256d(a.lanes), __m256d(b.lanes))));
+    else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__SSE2__)
+    if constexpr (width * sizeof(Real) == 16 && sizeof(Real) == 4)
+        return P(typename P::Lanes(_mm_max_ps(__m128(a.lanes), __m128(b.lanes))));
+    else if constexpr (width * sizeof(Real) == 16)
+        return P(typename P::Lanes(_mm_max_pd(__m128d(a.lanes), __m128d(b.lanes))));
+    else
+#endif
+        return select(a > b, a, b);
+}
+template <class A>
+    requires std::is_floating_point_v<A>
+IMBIBE_INLINE constexpr A max(A a, std::type_identity_t<A> b) {
+    return a > b ? a : b;
+}
+
+/// The smaller of two numbers, lane by lane.
+template <class A>
+    requires detail::is_pack<A>
+IMBIBE_INLINE constexpr A min(A a, std::type_identity_t<A> b) {
+    return -max(-a, -b);
+}
+template <class A>
+    requires std::is_floating_point_v<A>
+IMBIBE_INLINE constexpr A min(A a, std::type_identity_t<A> b) {
+    return a < b ? a : b;
+}
+
+/// max(x, 0): a compact kernel written with it is exactly zero outside its support, without a branch.
+template <class T>
+IMBIBE_INLINE constexpr T positive_part(T x) {
+    return max(x, T(0));
+}
+
+/// |x|
+template <class T>
+IMBIBE_INLINE constexpr T abs(T x) {
+    return max(x, -x);
+}
+
+/// The square root. At width > 1 one instruction, which std::sqrt would not be without -fno-math-errno.
+template <class Real, int width>
+IMBIBE_INLINE constexpr Pack<Real, width> sqrt(Pack<Real, width> a) {
+    using P [[maybe_unused]] = Pack<Real, width>;
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+    if constexpr (width * sizeof(Real) == 64 && sizeof(Real) == 4)
+        return P(typename P::Lanes(_mm512_maskz_sqrt_ps(0xffff, __m512(a.lanes))));
+    else if constexpr (width * sizeof(Real) == 64)
+        return P(typename P::Lanes(_mm512_maskz_sqrt_pd(0xff, __m512d(a.lanes))));
+    else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
+    if constexpr (width * sizeof(Real) == 32 && sizeof(Real) == 4)
+        return P(typename P::Lanes(_mm256_sqrt_ps(__m256(a.lanes))));
+    else if constexpr (width * sizeof(Real) == 32)
+        return P(typename P::Lanes(_mm256_sqrt_pd(__m256d(a.lanes))));
+    else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__SSE2__)
+    if constexpr (width * sizeof(Real) == 16 && sizeof(Real) == 4)
+        return P(typename P::Lanes(_mm_sqrt_ps(__m128(a.lanes))));
+    else if constexpr (width * sizeof(Real) == 16)
+        return P(typename P::Lanes(_mm_sqrt_pd(__m128d(a.lanes))));
+    else
+#endif
+        return detail::lane_by_lane(a, [](Real number) { return detail::scalar_sqrt(number); });
+}
+template <class A>
+    requires std::is_floating_point_v<A>
+IMBIBE_INLINE constexpr A sqrt(A x) {
+    return detail::scalar_sqrt(x);
+}
+
+/// x to the power n for an integer n known at compile time, by repeated squaring.
+template <int n, class T>
+IMBIBE_INLINE constexpr T power(T x) {
+    if constexpr (n < 0)
+        return T(1) / power<-n>(x);
+    else if constexpr (n == 0)
+        return T(1);
+    else if constexpr (n % 2 == 1)
+        return n == 1 ? x : x * power<n - 1>(x);
+    else {
+        const T half = power<n / 2>(x);
+        return half * half;
+    }
+}
+
+/// x squared.
+template <class T>
+IMBIBE_INLINE constexpr T sq(T x) {
+    return x * x;
+}
+
+/// x to any real power, lane by lane through std::pow: slow, for particle functions only.
+template <class Real, int width>
+IMBIBE_INLINE constexpr Pack<Real, width> pow(Pack<Real, width> x, double exponent) {
+    return detail::lane_by_lane(x, [exponent](Real y) {
+        return std::is_constant_evaluated() ? y : static_cast<Real>(std::pow(y, static_cast<Real>(exponent)));
+    });
+}
+
+/// The exponential, lane by lane through std::exp: slow, for particle functions only.
+template <class Real, int width>
+IMBIBE_INLINE constexpr Pack<Real, width> exp(Pack<Real, width> x) {
+    return detail::lane_by_lane(x, [](Real y) { return std::is_constant_evaluated() ? y : std::exp(y); });
+}
+
+/// The sum over the lanes, always in the same order (a binary tree).
+template <class Real, int width>
+IMBIBE_INLINE constexpr Real sum(Pack<Real, width> x) {
+    if constexpr (width == 1) {
+        return x.lanes;
+    } else {
+        Real part[width];
+        __builtin_memcpy(part, &x.lanes, sizeof(part));
+        for (int half = width / 2; half > 0; half /= 2)
+            for (int k = 0; k < half; ++k)
+                part[k] += part[k + half];
+        return part[0];
+    }
+}
+
+/// One bit per lane, set where a < b.
+template <class Real, int width>
+IMBIBE_INLINE std::uint32_t less_bits(Pack<Real, width> a, Pack<Real, width> b) {
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+    if constexpr (width * sizeof(Real) == 64 && sizeof(Real) == 4)
+        return _mm512_cmp_ps_mask(__m512(a.lanes), __m512(b.lanes), _CMP_LT_OQ);
+    else if constexpr (width * sizeof(Real) == 64)
+        return _mm512_cmp_pd_mask(__m512d(a.lanes), __m512d(b.lanes), _CMP_LT_OQ);
+    else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
+    if constexpr (width * sizeof(Real) == 32 && sizeof(Real) == 4)
+        return static_cast<std::uint32_t>(
+            _mm256_movemask_ps(_mm256_cmp_ps(__m256(a.lanes), __m256(b.lanes), _CMP_LT_OQ)));
+    else if constexpr (width * sizeof(Real) == 32)
+        return static_cast<std::uint32_t>(
+            _mm256_movemask_pd(_mm256_cmp_pd(__m256d(a.lanes), __m256d(b.lanes), _CMP_LT_OQ)));
+    else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__SSE2__)
+    if constexpr (width * sizeof(Real) == 16 && sizeof(Real) == 4)
+        return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmplt_ps(__m128(a.lanes), __m128(b.lanes))));
+    else if constexpr (width * sizeof(Real) == 16)
+        return static_cast<std::uint32_t>(_mm_movemask_pd(_mm_cmplt_pd(__m128d(a.lanes), __m128d(b.lanes))));
+    else
+#endif
+    {
+        std::uint32_t bits = 0;
+        for (int k = 0; k < width; ++k)
+            bits |= static_cast<std::uint32_t>(a[k] < b[k]) << k;
+        return bits;
+    }
+}
+
+/// The lane numbers 0, 1, 2, ...
+template <class Real, int width>
+IMBIBE_INLINE Pack<Real, width> lane_numbers() {
+    Real numbers[width];
+    for (int k = 0; k < width; ++k)
+        numbers[k] = static_cast<Real>(k);
+    return Pack<Real, width>::load(numbers);
+}
+
+} // namespace imbibe
