@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__)
 #define IMBIBE_VECTOR_EXTENSION 1
@@ -336,18 +337,25 @@ IMBIBE_INLINE constexpr Pack<Real, width> exp(Pack<Real, width> x) {
     return detail::lane_by_lane(x, [](Real y) { return std::is_constant_evaluated() ? y : std::exp(y); });
 }
 
+namespace detail {
+#if IMBIBE_VECTOR_EXTENSION
+template <int first, class Real, int width, std::size_t... k>
+IMBIBE_INLINE Pack<Real, width / 2> half_of(Pack<Real, width> x, std::index_sequence<k...>) {
+    return Pack<Real, width / 2>(__builtin_shufflevector(x.lanes, x.lanes, (first + static_cast<int>(k))...));
+}
+#endif
+} // namespace detail
+
 /// The sum over the lanes, always in the same order (a binary tree).
 template <class Real, int width>
 IMBIBE_INLINE constexpr Real sum(Pack<Real, width> x) {
     if constexpr (width == 1) {
         return x.lanes;
+    } else if constexpr (width == 2) {
+        return x.lanes[0] + x.lanes[1];
     } else {
-        Real part[width];
-        __builtin_memcpy(part, &x.lanes, sizeof(part));
-        for (int half = width / 2; half > 0; half /= 2)
-            for (int k = 0; k < half; ++k)
-                part[k] += part[k + half];
-        return part[0];
+        constexpr std::make_index_sequence<static_cast<std::size_t>(width / 2)> lanes{};
+        return sum(detail::half_of<0>(x, lanes) + detail::half_of<width / 2>(x, lanes));
     }
 }
 

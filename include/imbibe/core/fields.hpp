@@ -1,0 +1,93 @@
+// The fields every SPH code knows. A term that needs a field of its own declares it beside itself.
+#pragma once
+
+#include "field.hpp"
+
+namespace imbibe {
+
+/// Position in space, m.
+struct Position : Field<Rank::vector> {
+    static constexpr std::string_view name = "position", unit = "m";
+    static constexpr bool given = true;
+};
+inline constexpr Position position{};
+
+/// Velocity, m/s. Its rate is the acceleration.
+struct Velocity : Field<Rank::vector> {
+    static constexpr std::string_view name = "velocity", unit = "m/s";
+    static constexpr std::string_view rate_name = "acceleration", rate_unit = "m/s^2";
+    static constexpr bool given = true;
+};
+inline constexpr Velocity velocity{};
+/// Acceleration, m/s^2: starts every step from the scene's gravity.
+inline constexpr Rate<Velocity> acceleration{};
+
+/// Mass of a particle, kg (kg/m in 2D).
+struct Mass : Field<Rank::scalar> {
+    static constexpr std::string_view name = "mass", unit = "kg";
+    static constexpr bool given = true;
+};
+inline constexpr Mass mass{};
+
+/// Density, kg/m^3.
+struct Density : Field<Rank::scalar> {
+    static constexpr std::string_view name = "density", unit = "kg/m^3";
+    static constexpr std::string_view rate_name = "density_rate", rate_unit = "kg/m^3/s";
+    static constexpr bool given = true;
+};
+inline constexpr Density density{};
+inline constexpr Rate<Density> density_rate{};
+
+/// Pressure, Pa.
+struct Pressure : Field<Rank::scalar> {
+    static constexpr std::string_view name = "pressure", unit = "Pa";
+};
+inline constexpr Pressure pressure{};
+
+/// Deviatoric part of the Cauchy stress, Pa.
+struct DeviatoricStress : Field<Rank::symmetric_tensor> {
+    static constexpr std::string_view name = "deviatoric_stress", unit = "Pa";
+    static constexpr std::string_view rate_name = "deviatoric_stress_rate", rate_unit = "Pa/s";
+};
+inline constexpr DeviatoricStress deviatoric_stress{};
+inline constexpr Rate<DeviatoricStress> deviatoric_stress_rate{};
+
+/// Velocity gradient, 1/s: component (i, j) is dv_i/dx_j.
+struct VelocityGradientField : Field<Rank::tensor> {
+    static constexpr std::string_view name = "velocity_gradient", unit = "1/s";
+};
+inline constexpr VelocityGradientField velocity_gradient{};
+
+/// Velocity smoothed over the neighbours (XSPH), m/s.
+struct SmoothedVelocity : Field<Rank::vector> {
+    static constexpr std::string_view name = "smoothed_velocity", unit = "m/s";
+};
+inline constexpr SmoothedVelocity smoothed_velocity{};
+
+/// What is added to the velocity when particles are moved, and only then (XSPH, particle shifting), m/s.
+struct TransportCorrection : Field<Rank::vector> {
+    static constexpr std::string_view name = "transport_correction", unit = "m/s";
+};
+inline constexpr TransportCorrection transport_correction{};
+
+/// Position when the solid was stress-free, m: the coordinates of a total-Lagrangian solid.
+struct ReferencePosition : Field<Rank::vector> {
+    static constexpr std::string_view name = "reference_position", unit = "m";
+    static constexpr bool given = true;
+};
+inline constexpr ReferencePosition reference_position{};
+
+/// Deformation gradient dx/dX of a total-Lagrangian solid.
+struct DeformationGradientField : Field<Rank::tensor> {
+    static constexpr std::string_view name = "deformation_gradient", unit = "1";
+};
+inline constexpr DeformationGradientField deformation_gradient{};
+
+/// 1 for a particle that moves freely, 0 for one that is held where it is (clamped).
+struct Mobility : Field<Rank::scalar> {
+    static constexpr std::string_view name = "mobility", unit = "1";
+    static constexpr bool given = true;
+};
+inline constexpr Mobility mobility{};
+
+} // namespace imbibe

@@ -1,0 +1,212 @@
+// Phases (a material with its list of terms) and couplings (the terms between two phases), as a user declares them:
+//   struct Water : imbibe::Fluid<imbibe::Tait<>, ...> {};
+#pragma once
+
+#include "error.hpp"
+#include "term.hpp"
+
+#include <cmath>
+#include <string>
+#include <tuple>
+
+namespace imbibe {
+
+/// Marks a number that the user has to give.
+inline constexpr double required = -1;
+
+namespace detail {
+
+template <class List>
+struct TupleOf;
+template <class... T>
+struct TupleOf<TypeList<T...>> {
+    using type = std::tuple<T...>;
+};
+
+template <class Term>
+struct ParametersOf {
+    using type = TypeList<>;
+};
+template <class Term>
+    requires requires { typename Term::Parameters; }
+struct ParametersOf<Term> {
+    using type = TypeList<typename Term::Parameters>;
+};
+
+/// The name of a type as the user wrote it, without its namespaces and template arguments.
+template <class T>
+std::string type_name() {
+    const std::string_view all = __PRETTY_FUNCTION__;
+    auto begin = all.find("T = ") + 4;
+    auto name = all.substr(begin, all.find_first_of(";]", begin) - begin);
+    name = name.substr(0, name.find('<'));
+    const auto colon = name.rfind("::");
+    return std::string(colon == std::string_view::npos ? name : name.substr(colon + 2));
+}
+
+inline void require_positive(double value, std::string_view phase, std::string_view name, std::string_view unit) {
+    require(std::isfinite(value) && value > 0, phase, ": ", name, " = ", value, " ", unit,
+            value == required ? " (not given)" : "", "; it must be a finite number above 0 ", unit,
+            ". Give it where the phase is made, as in ", phase, "{{.", name, " = ...}}");
+}
+inline void require_not_negative(double value, std::string_view phase, std::string_view name, std::string_view unit) {
+    require(std::isfinite(value) && value >= 0, phase, ": ", name, " = ", value, " ", unit,
+            "; it must be a finite number not below 0 ", unit);
+}
+
+} // namespace detail
+
+/// The numerical coefficients of a list of terms: one value of each term's `Parameters`.
+template <class... Terms>
+struct Coefficients {
+    using List = detail::Unique<detail::Concat<typename detail::ParametersOf<Terms>::type...>>;
+    typename detail::TupleOf<List>::type all{};
+
+    /// The parameters of type P, to read or to change: `phase.coefficients.get<ArtificialStressParameters>()`.
+    template <class P>
+    constexpr P& get() {
+        return std::get<P>(all);
+    }
+    template <class P>
+    constexpr const P& get() const {
+        return std::get<P>(all);
+    }
+};
+
+/// A fluid: its material and, as template arguments, its terms.
+template <class... Terms>
+struct Fluid {
+    using terms = TypeList<Terms...>;
+    static constexpr bool moves = true;
+
+    double density = required;      ///< reference density rho_0, kg/m^3
+    double sound_speed = required;  ///< speed of sound c in the equation of state, m/s; ten times the greatest speed
+    double viscosity = 0;           ///< dynamic viscosity eta, Pa s
+    double support_radius = 0;      ///< H of this phase, m; 0: the scene's
+    double spacing = 0;             ///< particle spacing, m; set when particles are added
+    Coefficients<Terms...> coefficients{};
+
+    /// Replaces the coefficients of one term.
+    template <class P>
+    constexpr void set(const P& parameters) {
+        coefficients.template get<P>() = parameters;
+    }
+    /// Throws Error for a number out of range. @param name what the phase is called in the message
+    void check(std::string_view name) const {
+        detail::require_positive(density, name, "density", "kg/m^3");
+        detail::require_positive(sound_speed, name, "sound_speed", "m/s");
+        detail::require_not_negative(viscosity, name, "viscosity", "Pa s");
+    }
+};
+
+/// An elastic solid: its material and its terms.
+template <class... Terms>
+struct Solid {
+    using terms = TypeList<Terms...>;
+    static constexpr bool moves = true;
+
+    double density = required;       ///< density of the stress-free solid, kg/m^3
+    double sound_speed = required;   ///< bulk speed of sound c = sqrt(K / rho), m/s
+    double shear_modulus = required; ///< shear modulus G, Pa
+    double support_radius = 0;       ///< H of this phase, m; 0: the scene's
+    double spacing = 0;              ///< particle spacing, m; set when particles are added
+    Coefficients<Terms...> coefficients{};
+
+    template <class P>
+    constexpr void set(const P& parameters) {
+        coefficients.template get<P>() = parameters;
+    }
+    /// K = rho c^2, Pa
+    constexpr double bulk_modulus() const { return density * sound_speed * sound_speed; }
+    /// nu = (3K - 2G) / (6K + 2G)
+    constexpr double poisson_ratio() const {
+        return (3 * bulk_modulus() - 2 * shear_modulus) / (6 * bulk_modulus() + 2 * shear_modulus);
+    }
+    /// E = 9KG / (3K + G), Pa
+    constexpr double young_modulus() const {
+        return 9 * bulk_modulus() * shear_modulus / (3 * bulk_modulus() + shear_modulus);
+    }
+    /// Speed of longitudinal waves, sqrt((K + 4G/3) / rho), m/s
+    double longitudinal_wave_speed() const { return std::sqrt((bulk_modulus() + 4 * shear_modulus / 3) / density); }
+
+    void check(std::string_view name) const {
+        detail::require_positive(density, name, "density", "kg/m^3");
+        detail::require_positive(sound_speed, name, "sound_speed", "m/s");
+        detail::require_positive(shear_modulus, name, "shear_modulus", "Pa");
+    }
+    /// A sentence when the moduli are legal but odd; empty otherwise.
+    std::string warning(std::string_view name) const {
+        const double nu = poisson_ratio();
+        if (nu > 0.4999)
+            return text(name, ": shear modulus ", shear_modulus, " Pa with bulk modulus ", bulk_modulus(),
+                        " Pa is Poisson's ratio ", nu, ", practically a liquid; is the exponent right?");
+        if (nu < 0)
+            return text(name, ": shear modulus ", shear_modulus, " Pa with bulk modulus ", bulk_modulus(),
+                        " Pa is Poisson's ratio ", nu, ", an auxetic solid");
+        return {};
+    }
+};
+
+/// A wall: particles that do not move, with the terms they need to push on a fluid.
+template <class... Terms>
+struct Wall {
+    using terms = TypeList<Terms...>;
+    static constexpr bool moves = false;
+
+    double density = required;  ///< density the wall shows to the fluid (the fluid's own), kg/m^3
+    double sound_speed = 1;     ///< speed of sound, for walls that have an equation of state, m/s
+    double viscosity = 0;       ///< dynamic viscosity shown to the fluid, Pa s
+    double support_radius = 0;  ///< H, m; 0: the scene's
+    double spacing = 0;         ///< particle spacing, m; set when particles are added
+    Coefficients<Terms...> coefficients{};
+
+    template <class P>
+    constexpr void set(const P& parameters) {
+        coefficients.template get<P>() = parameters;
+    }
+    void check(std::string_view name) const {
+        detail::require_positive(density, name, "density", "kg/m^3");
+        detail::require_positive(sound_speed, name, "sound_speed", "m/s");
+    }
+};
+
+/// In a coupling: a term that acts on phase P only, with the other phase as neighbours. A term without this
+/// wrapper acts on both.
+template <class P, class Term>
+struct Into {};
+
+namespace detail {
+template <class Term>
+struct Unwrapped {
+    using type = Term;
+};
+template <class P, class Term>
+struct Unwrapped<Into<P, Term>> {
+    using type = Term;
+};
+} // namespace detail
+
+/// The terms between two phases.
+template <class First_, class Second_, class... Terms>
+struct Coupling {
+    using First = First_;
+    using Second = Second_;
+    using terms = TypeList<Terms...>;
+    Coefficients<typename detail::Unwrapped<Terms>::type...> coefficients{};
+
+    template <class P>
+    constexpr void set(const P& parameters) {
+        coefficients.template get<P>() = parameters;
+    }
+};
+
+/// Shear modulus from Young's modulus and Poisson's ratio, G = E / (2 (1 + nu)), Pa.
+constexpr double shear_modulus_of(double young_modulus, double poisson_ratio) {
+    return young_modulus / (2 * (1 + poisson_ratio));
+}
+/// Bulk sound speed from Young's modulus and Poisson's ratio: c^2 = K / rho with K = E / (3 (1 - 2 nu)), m/s.
+inline double sound_speed_of(double young_modulus, double poisson_ratio, double rho) {
+    return std::sqrt(young_modulus / (3 * (1 - 2 * poisson_ratio)) / rho);
+}
+
+} // namespace imbibe

@@ -1,0 +1,191 @@
+// What a term is made of, and how the library finds out what it touches.
+//
+// A term is one physical or numerical effect: an empty struct that is either one part itself or lists its parts in
+// `using parts = Parts<...>`. A part is
+//   - a particle function  (a) -> values, with `reads`, and `sets` and/or `adds`, or
+//   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`.
+// Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
+// `static constexpr bool once = true;` (evaluated when the particles are added, not in every step).
+// Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part),
+// `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`.
+#pragma once
+
+#include "field.hpp"
+#include "fields.hpp"
+
+#include <cstddef>
+#include <tuple>
+
+namespace imbibe {
+
+/// The parts of a term.
+template <class... P>
+using Parts = TypeList<P...>;
+
+/// Neighbours by where the particles are now (the default) ...
+struct Current {};
+/// ... or by where they were when the solid was stress-free (total Lagrangian).
+struct Reference {};
+
+/// A contribution along the line of centres: scalar * (x_a - x_b). All terms of a sweep are summed as scalars and
+/// multiplied by the offset once, which is faster and conserves angular momentum by construction.
+template <class T>
+struct Central {
+    T factor;
+};
+
+/// The value of a particle or pair function with several results, in the order of `sets`, then `adds`.
+template <class... T>
+IMBIBE_INLINE constexpr std::tuple<T...> values(const T&... v) {
+    return {v...};
+}
+
+/// The geometry of a pair as seen by particle a: everything that depends on positions alone.
+template <int dim, class T>
+struct Pair {
+    Vector<T, dim> offset;           ///< x_a - x_b, m (or X_a - X_b for the reference neighbourhood)
+    T distance;                      ///< |x_a - x_b|, m
+    T support_radius;                ///< H, m
+    T inverse_support;               ///< 1/H, 1/m
+    Vector<double, dim> gravity_now; ///< the scene's gravity, m/s^2
+
+    /// 1 / max(|x_a - x_b|, 1e-6 H): finite also for the particle itself.
+    IMBIBE_INLINE constexpr T inverse_distance() const { return T(1) / max(distance, T(1e-6) * support_radius); }
+
+    /// W_ab of a kernel with this pair's support radius, 1/m^dim.
+    template <class Kernel>
+    IMBIBE_INLINE constexpr T value(Kernel) const {
+        return scale<dim>(Kernel::template normalisation<dim>()) * Kernel::value(q());
+    }
+    /// The factor F_ab with grad_a W_ab = F_ab (x_a - x_b), 1/m^(dim+2): negative where W falls with distance.
+    template <class Kernel>
+    IMBIBE_INLINE constexpr T gradient(Kernel) const {
+        if constexpr (requires(T x) { Kernel::derivative_over_q(x); })
+            return scale<dim + 2>(Kernel::template normalisation<dim>()) * Kernel::derivative_over_q(q());
+        else
+            return scale<dim + 1>(Kernel::template normalisation<dim>()) * Kernel::derivative(q()) *
+                   inverse_distance();
+    }
+    /// The Laplacian of W_ab, 1/m^(dim+2).
+    template <class Kernel>
+    IMBIBE_INLINE constexpr T laplacian(Kernel) const {
+        return scale<dim + 2>(Kernel::template normalisation<dim>()) * Kernel::laplacian(q());
+    }
+    /// W_ab / W(length): how much closer than `length` the pair is, in terms of the kernel. `length` < H.
+    template <class Kernel>
+    IMBIBE_INLINE constexpr T relative_value(Kernel, double length) const {
+        return Kernel::value(q()) / Kernel::value(T(length) * inverse_support);
+    }
+    /// The distance in supports, q = |x_a - x_b| / H.
+    IMBIBE_INLINE constexpr T q() const { return distance * inverse_support; }
+    /// Gravity as numbers of this pair, m/s^2.
+    IMBIBE_INLINE constexpr Vector<T, dim> gravity() const {
+        Vector<T, dim> g{};
+        for (int i = 0; i < dim; ++i)
+            g[i] = T(gravity_now[i]);
+        return g;
+    }
+
+private:
+    template <int n>
+    IMBIBE_INLINE constexpr T scale(double normalisation) const {
+        return T(normalisation) * power<n>(inverse_support);
+    }
+};
+
+/// The contribution factor * (x_a - x_b) along the line of centres.
+template <int dim, class T>
+IMBIBE_INLINE constexpr Central<T> along(const Pair<dim, T>&, const std::type_identity_t<T>& factor) {
+    return {factor};
+}
+
+/// What a term may use to say how long a step may be.
+struct TimeStepInput {
+    double support_radius;   ///< H of the phase, m
+    double spacing;          ///< initial particle spacing of the phase, m
+    double max_speed;        ///< greatest speed in the phase now, m/s
+    double max_acceleration; ///< greatest acceleration in the phase in the last step, m/s^2
+    int dimension;           ///< 2 or 3
+    /// The spacing of the other phase and its greatest speed, for terms of a coupling.
+    double other_spacing = 0, other_max_speed = 0;
+};
+
+namespace detail {
+
+template <class Term>
+concept HasParts = requires { typename Term::parts; };
+template <class Term>
+concept HasStores = requires { typename Term::stores; };
+
+template <class Term>
+struct PartsOf {
+    using type = TypeList<Term>;
+};
+template <HasParts Term>
+struct PartsOf<Term> {
+    using type = typename Term::parts;
+};
+template <class Term>
+    requires(!HasParts<Term> && HasStores<Term>)
+struct PartsOf<Term> {
+    using type = TypeList<>;
+};
+template <class Term>
+using PartList = typename PartsOf<Term>::type;
+
+template <class Part>
+struct ReadsOf {
+    using type = TypeList<>;
+};
+template <class Part>
+    requires requires { typename Part::reads; }
+struct ReadsOf<Part> {
+    using type = typename Part::reads;
+};
+template <class Part>
+struct AddsOf {
+    using type = TypeList<>;
+};
+template <class Part>
+    requires requires { typename Part::adds; }
+struct AddsOf<Part> {
+    using type = typename Part::adds;
+};
+template <class Part>
+struct SetsOf {
+    using type = TypeList<>;
+};
+template <class Part>
+    requires requires { typename Part::sets; }
+struct SetsOf<Part> {
+    using type = typename Part::sets;
+};
+template <class Term>
+struct StoresOf {
+    using type = TypeList<>;
+};
+template <HasStores Term>
+struct StoresOf<Term> {
+    using type = typename Term::stores;
+};
+
+template <class Part>
+inline constexpr bool is_once = false;
+template <class Part>
+    requires requires { Part::once; }
+inline constexpr bool is_once<Part> = Part::once;
+
+template <class Part>
+inline constexpr bool uses_reference = false;
+template <class Part>
+    requires requires { typename Part::neighbourhood; }
+inline constexpr bool uses_reference<Part> = std::is_same_v<typename Part::neighbourhood, Reference>;
+
+/// Results of term functions as a tuple, whether there is one or several.
+template <class R>
+inline constexpr bool is_tuple = false;
+template <class... T>
+inline constexpr bool is_tuple<std::tuple<T...>> = true;
+
+} // namespace detail
+} // namespace imbibe
