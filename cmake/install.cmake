@@ -2,21 +2,13 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/imbibe)
 install(TARGETS imbibe EXPORT imbibe-targets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT imbibe-targets NAMESPACE imbibe:: DESTINATION ${CMAKE_INSTALL_DATADIR}/cmake/imbibe)
+install(EXPORT imbibe-targets NAMESPACE imbibe:: DESTINATION ${package_folder})
 
-file(WRITE ${PROJECT_BINARY_DIR}/imbibe-config.cmake [[
-include(CMakeFindDependencyMacro)
-find_dependency(Eigen3 3.3 NO_MODULE)
-find_dependency(OpenMP COMPONENTS CXX)
-include(${CMAKE_CURRENT_LIST_DIR}/imbibe-targets.cmake)
-]])
-if(NOT OpenMP_CXX_FOUND)
-    file(READ ${PROJECT_BINARY_DIR}/imbibe-config.cmake config)
-    string(REPLACE "find_dependency(OpenMP COMPONENTS CXX)\n" "" config "${config}")
-    file(WRITE ${PROJECT_BINARY_DIR}/imbibe-config.cmake "${config}")
-endif()
+# Before 1.0 a new minor version may change names, so 0.1 does not pass for 0.2.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/imbibe-config-version.cmake
     COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES ${PROJECT_BINARY_DIR}/imbibe-config.cmake ${PROJECT_BINARY_DIR}/imbibe-config-version.cmake
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/cmake/imbibe)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/imbibe-config.cmake ${PROJECT_BINARY_DIR}/imbibe-config-version.cmake
+    DESTINATION ${package_folder})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

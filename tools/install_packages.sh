@@ -1,0 +1,54 @@
+#!/bin/sh
+# Installs the Debian packages that imbibe needs and that are not there yet, as root or through sudo.
+# When nothing is missing it does nothing and needs neither.
+#
+#   sh tools/install_packages.sh          for the library, the examples and their pictures
+#   sh tools/install_packages.sh tests    for the tests as well
+#   sh tools/install_packages.sh clang    for a build with clang++ as well
+set -eu
+
+packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy python3-matplotlib"
+for group in "$@"; do
+    case $group in
+        tests) packages="$packages python3-vtk9" ;;
+        clang) packages="$packages clang libomp-dev" ;;
+        *) echo "$0: there is no group '$group'; the groups are: tests, clang" >&2; exit 2 ;;
+    esac
+done
+
+if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
+    echo "$0: this system has no apt-get. Install what these Debian packages hold, then run the rest of the command:" >&2
+    echo "    $packages" >&2
+    exit 1
+fi
+
+missing=
+for package in $packages; do
+    dpkg-query --show --showformat '${db:Status-Status}\n' "$package" 2> /dev/null | grep -qx installed ||
+        missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+    exit 0
+fi
+
+if [ "$(id -u)" = 0 ]; then
+    as_root=
+elif command -v sudo > /dev/null; then
+    as_root=sudo
+else
+    echo "$0: needs root or sudo to install packages. Ask an administrator to run:" >&2
+    echo "    apt-get update && apt-get install --no-install-recommends$missing" >&2
+    exit 1
+fi
+
+install() {
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet --no-install-recommends "$@" $missing
+}
+update() {
+    $as_root apt-get update --quiet
+}
+
+echo "Installing$missing"
+# The package lists may be absent, or so old that they name files the server no longer has.
+apt-get install --simulate --no-install-recommends $missing > /dev/null 2>&1 || update
+install || { update && install; }
