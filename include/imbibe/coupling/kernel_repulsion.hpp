@@ -1,0 +1,93 @@
+// The repulsion that keeps water and sponge apart, stiff as a pressure K_f.
+//
+// The paper's coupling is three terms between two phases:
+//   struct Contact : Coupling<Water, Sponge, SymmetricPressure<Spiky>, LaminarViscosity<>, KernelRepulsion<>> {};
+// The first two are the terms of the fluid itself. Between phases they give, pair by pair, the force
+//   F_ab = - m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) grad_a W + eta V_a V_b (v_b - v_a) Laplacian W,   V = m/rho,
+// which changes sign when a and b change places. This is Eq. (23) as it must be read: with the printed factor rho_b
+// and without 1/rho_b in the viscous part, action and reaction differ (by 11 % at the paper's densities); and it is
+// Eq. (25) for every pair, not only for the sums.
+#pragma once
+
+#include <imbibe/core/term.hpp>
+#include <imbibe/kernels/spiky.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace imbibe {
+
+/// Coefficients of KernelRepulsion.
+struct KernelRepulsionParameters {
+    /// K_f, Pa. The force is that of a pressure of this size on overlapping kernels.
+    double stiffness = 1e8;
+};
+
+/// dv_a/dt = - K_f/m_a sum_b V_a V_b grad_a W_ab, in m/s^2, with the volumes V = m/rho.
+///
+/// For couplings: keeps two phases apart when the pressure alone does not. The force of the pair is along the line of
+/// centres, repulsive (W falls with distance), equal and opposite, to the last bit where the masses are equal.
+/// 1e8 Pa at half the support radius is 4.5e7 m/s^2 per neighbour in the paper's scene.
+///
+/// Not for a contact that should be accurate: the gap it leaves is near the support radius (0.93 H in the paper's
+/// scene), it depends on K_f and H, and energy goes in and out of it in each impact. Not with a kernel whose slope
+/// vanishes at the centre: what has come through is held there.
+///
+/// Source: the paper, Eq. (24), with two slips mended: the printed sign attracts, and it belongs to the force, Eq.
+/// (23), not to the density, Eq. (22).
+template <class Kernel = Spiky>
+struct KernelRepulsion {
+    using Parameters = KernelRepulsionParameters;
+    using reads = Fields<mass, density>;
+    using adds = Fields<acceleration>;
+    Parameters parameters{};
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        return along(ab, -(parameters.stiffness * b[mass] / (a[density] * b[density])) * ab.gradient(Kernel{}));
+    }
+
+    static constexpr const char* limit_name = "repulsion stiffness";
+    /// 2 sqrt(m/k), s, with the reduced mass m of a pair and its greatest stiffness k during an impact.
+    ///
+    /// The potential of a pair is K_f V_a V_b W. A particle of the heavier phase with the two phases' greatest speeds
+    /// together penetrates until W has taken its energy; k is the largest K_f V_a V_b |d2W/dr2| on that way. For Spiky
+    /// in 3D this is k = 90 K_f V_a V_b delta/(pi H^6) with the penetration
+    /// delta = H (pi H^3 m v^2/(30 K_f V_a V_b))^(1/3) <= H. Infinite where nothing moves.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
+                                  const Parameters& parameters) {
+        const double volume_a = std::pow(in.spacing, in.dimension), mass_a = material_a.density * volume_a;
+        const double volume_b = std::pow(in.other_spacing, in.dimension), mass_b = material_b.density * volume_b;
+        const double energy = 0.5 * std::max(mass_a, mass_b) * sq(in.max_speed + in.other_max_speed);
+        const double normalisation =
+            in.dimension == 2 ? Kernel::template normalisation<2>() : Kernel::template normalisation<3>();
+        const double scale =
+            parameters.stiffness * volume_a * volume_b * normalisation / std::pow(in.support_radius, in.dimension);
+        const double k = scale / sq(in.support_radius) * greatest_curvature(energy / scale);
+        const double reduced_mass = mass_a * mass_b / (mass_a + mass_b);
+        return k > 0 ? 2 * std::sqrt(reduced_mass / k) : std::numeric_limits<double>::infinity();
+    }
+
+private:
+    // The largest |w''(q)| from the rim q = 1 inwards to where w(q) reaches `level`, or to the centre.
+    static double greatest_curvature(double level) {
+        if (!(level > 0)) // nothing moves, or there is no repulsion
+            return 0;
+        double inside = 0, outside = 1;
+        for (int k = 0; k < 50; ++k) {
+            const double q = 0.5 * (inside + outside);
+            (Kernel::value(q) > level ? inside : outside) = q;
+        }
+        constexpr int samples = 32;
+        constexpr double step = 1e-4;
+        double curvature = 0;
+        for (int k = 0; k < samples; ++k) {
+            const double q = std::max(inside + (1 - inside) * k / samples, step);
+            const double slope_change = Kernel::derivative(q + step) - Kernel::derivative(q - step);
+            curvature = std::max(curvature, std::abs(slope_change) / (2 * step));
+        }
+        return curvature;
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,48 @@
+// The continuity equation: how the density of a particle changes as its neighbours come and go.
+#pragma once
+
+#include <imbibe/core/term.hpp>
+
+namespace imbibe {
+
+/// drho_a/dt = sum_b m_b (v_a - v_b) . grad_a W_ab, in kg/m^3/s.
+///
+/// For one phase, fluid or solid. The volume it implies for a neighbour is m_b/rho_a, so the sum is exactly the rate
+/// of the density by summation; it needs no special care at a free surface.
+/// `velocity_field` is the velocity that the density follows: `velocity`, or `smoothed_velocity` with Xsph.
+///
+/// Not across phases with different densities or particle volumes: there it counts a light neighbour's approach too
+/// little and a heavy one's too much; see VolumeContinuity. The paper, Eq. (22), does use it there.
+///
+/// Source: Monaghan (1994); the paper, Eqs. (11) and (22).
+template <class Kernel, auto velocity_field = velocity>
+struct Continuity {
+    using reads = Fields<mass, velocity_field>;
+    using adds = Fields<density_rate>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        return b[mass] * dot(a[velocity_field] - b[velocity_field], ab.offset) * ab.gradient(Kernel{});
+    }
+};
+
+/// drho_a/dt = rho_a sum_b (m_b/rho_b) (v_a - v_b) . grad_a W_ab, in kg/m^3/s.
+///
+/// The rate of compression as seen by volumes: what the neighbour's volume sweeps counts, not what it weighs. The
+/// form for couplings, where densities and particle volumes differ, and for fluids with a jump of the density.
+///
+/// Not where the density must stay the sum of the masses around a particle to the last digit: over a long run this
+/// form drifts from it.
+///
+/// Source: Colagrossi and Landrini (2003); the paper, Eq. (22), in the form that is consistent across phases.
+template <class Kernel, auto velocity_field = velocity>
+struct VolumeContinuity {
+    using reads = Fields<mass, density, velocity_field>;
+    using adds = Fields<density_rate>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        return a[density] * (b[mass] / b[density]) * dot(a[velocity_field] - b[velocity_field], ab.offset) *
+               ab.gradient(Kernel{});
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,30 @@
+// The linear equation of state: pressure in proportion to the change of density.
+#pragma once
+
+#include <imbibe/state/wave_speed.hpp>
+
+namespace imbibe {
+
+/// p = c^2 (rho - rho_0), in Pa: the equation of Tait with gamma = 1.
+///
+/// For elastic solids, where rho_0 c^2 is the bulk modulus, and for liquids whose density hardly changes. In a solid
+/// the limit of the time step is that of longitudinal waves, not of c.
+///
+/// Not for strong compression (a liquid gets stiffer, this does not) and not for gases.
+///
+/// Source: Gray, Monaghan and Swift (2001) for solids; the paper, Eq. (8) with gamma = 1.
+struct LinearState {
+    using reads = Fields<density>;
+    using sets = Fields<pressure>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+        return sq(a.material.sound_speed) * (a[density] - a.material.density);
+    }
+
+    static constexpr const char* limit_name = "sound";
+    static double time_step_limit(const auto& material, const TimeStepInput& in) {
+        return acoustic_time_step(material, in);
+    }
+};
+
+} // namespace imbibe
