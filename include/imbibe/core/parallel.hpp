@@ -1,0 +1,73 @@
+// Loops over blocks of particles, with threads where OpenMP is switched on. Blocks are independent, so nothing that
+// is computed depends on how many threads there are.
+#pragma once
+
+#include <exception>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace imbibe {
+
+/// How many threads a loop may use at most: the machine's, or 1 without OpenMP.
+inline int available_threads() {
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+/// Calls f(k) for k = 0 ... n-1, on up to `threads` threads in any order. f must not write what another call reads.
+/// The first exception thrown by a call is thrown again when all are done.
+template <class F>
+void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
+#ifdef _OPENMP
+    if (threads > 1 && n > 1) {
+        std::exception_ptr failure;
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+        for (int k = 0; k < n; ++k) {
+            try {
+                f(k);
+            } catch (...) {
+#pragma omp critical(imbibe_parallel_for)
+                if (!failure)
+                    failure = std::current_exception();
+            }
+        }
+        if (failure)
+            std::rethrow_exception(failure);
+        return;
+    }
+#endif
+    for (int k = 0; k < n; ++k)
+        f(k);
+}
+
+/// Splits n particles into blocks of `block` and calls f(begin, end) for each.
+template <class F>
+void parallel_blocks(int n, int block, int threads, const F& f) {
+    parallel_for((n + block - 1) / block, threads, [&](int k) {
+        const int begin = k * block;
+        f(begin, begin + block < n ? begin + block : n);
+    });
+}
+
+/// combine(result, map(begin, end)) over fixed blocks in fixed order: the same bits for any number of threads.
+template <class T, class Map, class Combine>
+T parallel_reduce(int n, int threads, T start, const Map& map, const Combine& combine) {
+    constexpr int block = 4096, most = 512;
+    const int size = n / most + 1 > block ? n / most + 1 : block;
+    T parts[most + 1];
+    const int blocks = (n + size - 1) / size;
+    parallel_for(blocks, threads, [&](int k) {
+        const int begin = k * size;
+        parts[k] = map(begin, begin + size < n ? begin + size : n);
+    });
+    for (int k = 0; k < blocks; ++k)
+        start = combine(start, parts[k]);
+    return start;
+}
+
+} // namespace imbibe

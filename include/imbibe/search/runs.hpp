@@ -1,0 +1,76 @@
+// The neighbours of every particle as *runs*: stretches of at most one SIMD width of consecutive particles in the
+// order sorted by cell. A pair loop loads a run with one plain load per number and masks what is beyond its count.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace imbibe::search {
+
+/// `count` consecutive neighbours from `first` on, seen through periodic image `shift` (0: none).
+struct Run {
+    std::uint32_t first;
+    std::uint16_t count;
+    std::uint16_t shift;
+};
+
+/// The runs of all particles of one phase in one other (or the same) phase. Kept in blocks of particles so that
+/// threads build and read them independently; memory is reused from step to step.
+class RunList {
+public:
+    static constexpr int block_size = 256;
+
+    struct Range {
+        const Run* begin_;
+        const Run* end_;
+        const Run* begin() const { return begin_; }
+        const Run* end() const { return end_; }
+    };
+
+    /// Makes room for n particles; runs are then appended block by block.
+    void resize(int n) {
+        particles = n;
+        nothing = n == 0;
+        blocks.resize(static_cast<std::size_t>((n + block_size - 1) / block_size));
+        ends.resize(static_cast<std::size_t>(n));
+    }
+    /// No particle has a neighbour.
+    void clear_all(int n) {
+        resize(n);
+        for (auto& b : blocks)
+            b.clear();
+        for (auto& e : ends)
+            e = 0;
+        nothing = true;
+    }
+    int size() const { return particles; }
+    int block_count() const { return static_cast<int>(blocks.size()); }
+    std::vector<Run>& block(int b) { return blocks[static_cast<std::size_t>(b)]; }
+    /// To be called after the runs of particle i have been appended to its block.
+    void finish(int i) {
+        ends[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(block(i / block_size).size());
+    }
+    /// The runs of particle i.
+    Range operator[](int i) const {
+        const Run* base = blocks[static_cast<std::size_t>(i / block_size)].data();
+        return {base + (i % block_size == 0 ? 0 : ends[static_cast<std::size_t>(i - 1)]),
+                base + ends[static_cast<std::size_t>(i)]};
+    }
+    /// Bytes held for particles, for reports.
+    std::size_t bytes() const {
+        std::size_t sum = ends.capacity() * sizeof(std::uint32_t);
+        for (const auto& b : blocks)
+            sum += b.capacity() * sizeof(Run);
+        return sum;
+    }
+    /// Was it made by clear_all, or for no particles?
+    bool is_empty() const { return nothing; }
+
+private:
+    int particles = 0;
+    bool nothing = true;
+    std::vector<std::vector<Run>> blocks;
+    std::vector<std::uint32_t> ends;
+};
+
+} // namespace imbibe::search

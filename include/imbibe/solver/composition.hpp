@@ -1,0 +1,245 @@
+// The composition of a scene, worked out at compile time: its nodes, the fields of each phase, the rows of the
+// schedule, the plan, and the rules it must keep.
+#pragma once
+
+#include "nodes.hpp"
+#include "rules.hpp"
+#include "schedule.hpp"
+
+namespace imbibe {
+
+/// @tparam dim 2 or 3
+/// @tparam Items the phases and couplings of the scene
+template <int dim, class... Items>
+struct Composition {
+    using All = TypeList<Items...>;
+    using Phases = detail::Filter<detail::KeepPhases, All>;
+    using Couplings = detail::Filter<detail::KeepCouplings, All>;
+
+    template <class P>
+    static constexpr bool check_listed_once() {
+        if constexpr (((std::is_same_v<P, Items> ? 1 : 0) + ...) > 1)
+            return sizeof(rules::SamePhaseTwice<P, list_each_phase_and_coupling_once>) > 0;
+        else
+            return true;
+    }
+    template <class C>
+    static constexpr bool check_phases_of() {
+        if constexpr (detail::IsCoupling<C>) {
+            if constexpr (!detail::contains<typename C::First, All>)
+                return sizeof(rules::NoSuchPhase<typename C::First, C, list_every_phase_of_a_coupling_in_the_solver>) > 0;
+            else if constexpr (!detail::contains<typename C::Second, All>)
+                return sizeof(rules::NoSuchPhase<typename C::Second, C, list_every_phase_of_a_coupling_in_the_solver>) >
+                       0;
+            else
+                return true;
+        } else {
+            return true;
+        }
+    }
+    static constexpr bool items_fit = (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...);
+
+    using Nodes = typename detail::CollectNodes<dim, Phases, Couplings>::type;
+    template <class P>
+    using FieldsOf = typename detail::CollectFields<dim, P, Nodes>::type;
+
+    template <class P>
+    static constexpr int phase_index = detail::index_of<P, Phases>;
+
+    /// Does the phase keep its particles in the order of the stress-free configuration?
+    template <class P>
+    static constexpr bool keeps_reference = detail::contains<ReferencePosition, FieldsOf<P>>;
+
+    /// The states a phase advances within the step: all that have a rate, but the velocity.
+    template <class List>
+    struct AdvancedStates;
+    template <class... F>
+    struct AdvancedStates<TypeList<F...>> {
+        template <class G>
+        using State = std::conditional_t<std::is_same_v<G, Rate<Velocity>>, TypeList<>,
+                                         typename detail::StateOfRate<G>::type>;
+        using type = detail::Concat<State<F>...>;
+    };
+    template <class P>
+    using AdvancedOf = typename AdvancedStates<FieldsOf<P>>::type;
+
+    /// The first column of each phase's fields in the schedule.
+    template <class... P>
+    static constexpr auto column_starts(TypeList<P...>) {
+        std::array<int, sizeof...(P) + 1> start{};
+        const int size[] = {FieldsOf<P>::size...};
+        for (std::size_t k = 0; k < sizeof...(P); ++k)
+            start[k + 1] = start[k] + size[k];
+        return start;
+    }
+    static constexpr auto starts = column_starts(Phases{});
+
+    template <class P, class F>
+    static constexpr int column = starts[static_cast<std::size_t>(phase_index<P>)] + detail::index_of<F, FieldsOf<P>>;
+
+    template <class P, class... F>
+    static constexpr Bits columns(TypeList<F...>) {
+        Bits bits;
+        (bits.set(column<P, F>), ...);
+        return bits;
+    }
+    template <class N>
+    static constexpr Row row_of() {
+        return {.reads = columns<typename N::A>(detail::ReadsOnA<dim, N>{}) |
+                         columns<typename N::B>(detail::ReadsOnB<dim, N>{}),
+                .adds = columns<typename N::A>(typename N::Adds{}),
+                .sets = columns<typename N::A>(typename N::Sets{}),
+                .phase = phase_index<typename N::A>,
+                .pair = detail::is_pair_node<dim, N>};
+    }
+    template <class N>
+    static constexpr bool declarations_fit =
+        detail::check_all_read<typename N::Part,
+                               detail::reads_on<typename N::Part, dim, typename N::A, typename N::B>>(
+            typename N::Reads{});
+
+    template <class P, class F>
+    using Advance = detail::Advance<P, F>;
+    template <class N>
+    static constexpr bool is_advance = detail::is_advance<N>;
+
+    template <class P, class List>
+    struct AdvancesOfPhase;
+    template <class P, class... F>
+    struct AdvancesOfPhase<P, TypeList<F...>> {
+        using type = TypeList<Advance<P, F>...>;
+    };
+    template <class List>
+    struct AllAdvances;
+    template <class... P>
+    struct AllAdvances<TypeList<P...>> {
+        using type = detail::Concat<typename AdvancesOfPhase<P, AdvancedOf<P>>::type...>;
+    };
+    template <class P, class F>
+    static constexpr Row advance_row(Advance<P, F>) {
+        Row r{.phase = phase_index<P>, .advances = true};
+        r.reads.set(column<P, Rate<F>>);
+        r.sets.set(column<P, F>);
+        return r;
+    }
+    template <class N>
+    static constexpr Row any_row() {
+        if constexpr (is_advance<N>)
+            return advance_row(N{});
+        else
+            return row_of<N>();
+    }
+
+    template <class N>
+    struct KeepOnce : std::bool_constant<N::once> {};
+    template <class N>
+    struct KeepEveryStep : std::bool_constant<!N::once> {};
+
+    /// The rows of every step, and those that are evaluated once when the particles are added.
+    using StepRows = detail::Concat<detail::Filter<KeepEveryStep, Nodes>, typename AllAdvances<Phases>::type>;
+    using OnceRows = detail::Filter<KeepOnce, Nodes>;
+
+    template <class... N>
+    static constexpr auto rows(TypeList<N...>) {
+        return std::array<Row, sizeof...(N)>{any_row<N>()...};
+    }
+
+    // What has a value before the plan runs: what the solver fills in, states that are integrated, and for the
+    // plan of a step all that was computed once.
+    template <class P, class F>
+    static constexpr bool integrated() {
+        if constexpr (requires { F::rate_name; })
+            return detail::contains<Rate<F>, FieldsOf<P>>;
+        else
+            return false;
+    }
+    template <class P, class... F>
+    static constexpr Bits given_of_phase(TypeList<F...>) {
+        Bits bits;
+        ((F::given || integrated<P, F>() ? bits.set(column<P, F>) : void()), ...);
+        return bits;
+    }
+    template <class... P>
+    static constexpr Bits given_at_start(TypeList<P...>) {
+        Bits bits;
+        ((bits = bits | given_of_phase<P>(FieldsOf<P>{})), ...);
+        return bits;
+    }
+    template <class... N>
+    static constexpr Bits written_by(TypeList<N...>) {
+        Bits bits;
+        ((bits = bits | any_row<N>().adds | any_row<N>().sets), ...);
+        return bits;
+    }
+    template <class... N>
+    static constexpr Bits added_by(TypeList<N...>) {
+        Bits bits;
+        ((bits = bits | any_row<N>().adds), ...);
+        return bits;
+    }
+    static constexpr Bits given = given_at_start(Phases{});
+    static constexpr Bits added_once = added_by(OnceRows{}), added_in_step = added_by(StepRows{});
+
+    static constexpr Plan once_plan = schedule(rows(OnceRows{}), given);
+    static constexpr Plan plan = schedule(rows(StepRows{}), given | written_by(OnceRows{}));
+
+    // ---- the rules ----
+    template <int c, class... P>
+    static constexpr auto field_at_column(TypeList<P...>) {
+        return field_in<c, 0, P...>();
+    }
+    template <int c, int k, class P, class... Rest>
+    static constexpr auto field_in() {
+        constexpr int here = c - starts[static_cast<std::size_t>(k)];
+        if constexpr (here < FieldsOf<P>::size)
+            return detail::At<here, FieldsOf<P>>{};
+        else
+            return field_in<c, k + 1, Rest...>();
+    }
+    template <bool once>
+    static constexpr bool check_plan() {
+        using Rows = std::conditional_t<once, OnceRows, StepRows>;
+        constexpr Fault fault = (once ? once_plan : plan).fault;
+        constexpr int column_at_fault = (once ? once_plan : plan).column;
+        constexpr int row = (once ? once_plan : plan).row;
+        constexpr int other = (once ? once_plan : plan).other < 0 ? row : (once ? once_plan : plan).other;
+        if constexpr (fault == Fault::nobody_sets) {
+            using N = detail::At<row, Rows>;
+            using F = decltype(field_at_column<column_at_fault>(Phases{}));
+            using P = detail::At<phase_of_column(column_at_fault), Phases>;
+            return sizeof(rules::NobodySets<F, typename N::Term, P,
+                                            add_a_term_that_sets_it_such_as_an_equation_of_state_for_pressure>) > 0;
+        } else if constexpr (fault == Fault::set_twice) {
+            using N = detail::At<row, Rows>;
+            using M = detail::At<other, Rows>;
+            using F = decltype(field_at_column<column_at_fault>(Phases{}));
+            return sizeof(rules::SetTwice<F, typename N::Term, typename M::Term, typename N::A,
+                                          remove_one_of_the_two_terms>) > 0;
+        } else if constexpr (fault == Fault::cycle) {
+            using N = detail::At<row, Rows>;
+            using M = detail::At<other, Rows>;
+            return sizeof(
+                       rules::Cycle<typename N::Term, typename M::Term, make_one_of_the_two_terms_read_something_else>) >
+                   0;
+        } else if constexpr (fault == Fault::too_large) {
+            return sizeof(rules::TooLarge<std::bool_constant<once>, use_fewer_terms_or_raise_the_limits_in_schedule_hpp>) > 0;
+        } else {
+            return true;
+        }
+    }
+    static constexpr int phase_of_column(int c) {
+        int k = 0;
+        while (c >= starts[static_cast<std::size_t>(k + 1)])
+            ++k;
+        return k;
+    }
+    template <class... N>
+    static constexpr bool all_declarations_fit(TypeList<N...>) {
+        return (declarations_fit<N> && ...);
+    }
+    /// True, or a compile error that names the broken rule.
+    static constexpr bool valid = items_fit && all_declarations_fit(Nodes{}) && check_plan<true>() &&
+                                  check_plan<false>();
+};
+
+} // namespace imbibe

@@ -1,0 +1,288 @@
+// The schedule: an ordinary function that puts the parts of all terms into an order in which every value is there
+// before it is read. It knows nothing of fields or terms, only of rows of bits: one row per part, one column per
+// field of each phase. The solver calls it at compile time, tests call it at run time.
+//
+// A *round* is: the particle rows that are ready, then one sweep over the neighbours for each phase that is due. A
+// phase is due when all its remaining pair rows are ready; if no phase is, those ready pair rows are swept whose
+// sums some other row waits for. So pair rows are fused into as few sweeps as the data flow allows.
+//
+// State that is advanced *within* a step (density, stress: the symplectic Euler scheme) has an advancing row. What its
+// rate is computed from sees the old value, everyone else the new one.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace imbibe {
+
+/// A set of columns or rows: up to 256 bits.
+struct Bits {
+    std::array<std::uint64_t, 4> words{};
+
+    static constexpr int capacity = 256;
+    constexpr void set(int k) { words[static_cast<std::size_t>(k / 64)] |= std::uint64_t{1} << (k % 64); }
+    constexpr bool test(int k) const { return words[static_cast<std::size_t>(k / 64)] >> (k % 64) & 1; }
+    constexpr bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
+    constexpr int count() const {
+        int n = 0;
+        for (auto w : words)
+            n += std::popcount(w);
+        return n;
+    }
+    friend constexpr Bits operator|(Bits a, const Bits& b) {
+        for (std::size_t k = 0; k < 4; ++k)
+            a.words[k] |= b.words[k];
+        return a;
+    }
+    friend constexpr Bits operator&(Bits a, const Bits& b) {
+        for (std::size_t k = 0; k < 4; ++k)
+            a.words[k] &= b.words[k];
+        return a;
+    }
+    /// The bits of a that are not in b.
+    friend constexpr Bits operator-(Bits a, const Bits& b) {
+        for (std::size_t k = 0; k < 4; ++k)
+            a.words[k] &= ~b.words[k];
+        return a;
+    }
+    friend constexpr bool operator==(const Bits&, const Bits&) = default;
+};
+
+/// One part of one term on one phase: the columns it reads, adds to and sets.
+struct Row {
+    Bits reads{}, adds{}, sets{};
+    int phase = 0;         ///< the phase it writes to
+    bool pair = false;     ///< a sum over neighbours, or a function of one particle
+    bool advances = false; ///< moves a state by its rate; `sets` is the state, `reads` the rate
+};
+
+/// One loop: over the particles of a phase, or over their neighbours.
+struct Step {
+    bool sweep = false;
+    int phase = 0;
+    int round = 0;
+    std::array<int, 48> rows{}; ///< in the order of evaluation
+    int size = 0;
+};
+
+/// What can be wrong with a set of rows.
+enum class Fault { none, nobody_sets, set_twice, cycle, too_large };
+
+/// The order found, or what stands in its way.
+struct Plan {
+    std::array<Step, 48> steps{};
+    int size = 0;
+    int rounds = 0;
+    Fault fault = Fault::none;
+    int column = -1;           ///< the column at fault
+    int row = -1, other = -1;  ///< the rows at fault
+
+    constexpr int sweeps(int phase) const {
+        int n = 0;
+        for (int k = 0; k < size; ++k)
+            n += steps[static_cast<std::size_t>(k)].sweep && steps[static_cast<std::size_t>(k)].phase == phase;
+        return n;
+    }
+};
+
+namespace detail {
+
+// The state of a schedule in the making.
+template <std::size_t n>
+class Scheduler {
+public:
+    constexpr Scheduler(const std::array<Row, n>& all, const Bits& given_columns) : rows(all), given(given_columns) {}
+
+    constexpr Plan run() {
+        find_faults();
+        if (plan.fault != Fault::none)
+            return plan;
+        find_ancestors();
+        while (done.count() < static_cast<int>(n)) {
+            const int before = done.count();
+            particle_loops();
+            if (done.count() < static_cast<int>(n))
+                sweeps();
+            if (done.count() == before || plan.size > 40) {
+                plan.fault = Fault::cycle;
+                for (int r = 0; r < static_cast<int>(n); ++r)
+                    if (!done.test(r)) {
+                        (plan.row < 0 ? plan.row : plan.other) = r;
+                        if (plan.other >= 0)
+                            break;
+                    }
+                return plan;
+            }
+            ++plan.rounds;
+        }
+        return plan;
+    }
+
+private:
+    const std::array<Row, n>& rows;
+    Bits given;
+    Bits done;      // rows
+    Bits ancestors; // rows from which the rates of advanced states are computed
+    Bits advanced;  // columns
+    std::array<Bits, Bits::capacity> providers{};
+    Plan plan;
+
+    constexpr const Row& row(int r) const { return rows[static_cast<std::size_t>(r)]; }
+
+    constexpr void find_faults() {
+        if (n > 256) {
+            plan.fault = Fault::too_large;
+            return;
+        }
+        for (int r = 0; r < static_cast<int>(n); ++r) {
+            if (row(r).advances) {
+                advanced = advanced | row(r).sets;
+                continue;
+            }
+            const Bits writes = row(r).sets | row(r).adds;
+            for (int c = 0; c < Bits::capacity; ++c)
+                if (writes.test(c))
+                    providers[static_cast<std::size_t>(c)].set(r);
+        }
+        for (int r = 0; r < static_cast<int>(n); ++r)
+            for (int c = 0; c < Bits::capacity; ++c) {
+                const Bits& who = providers[static_cast<std::size_t>(c)];
+                if (row(r).reads.test(c) && !given.test(c) && !who.any()) {
+                    plan = {.fault = Fault::nobody_sets, .column = c, .row = r};
+                    return;
+                }
+                if (row(r).sets.test(c) && !row(r).advances)
+                    for (int other = 0; other < static_cast<int>(n); ++other)
+                        if (other != r && who.test(other)) {
+                            plan = {.fault = Fault::set_twice, .column = c, .row = r, .other = other};
+                            return;
+                        }
+            }
+    }
+
+    constexpr void find_ancestors() {
+        Bits needed;
+        for (const Row& r : rows)
+            if (r.advances)
+                needed = needed | (r.reads - r.sets);
+        for (bool grew = true; grew;) {
+            grew = false;
+            for (int r = 0; r < static_cast<int>(n); ++r)
+                if (!row(r).advances && !ancestors.test(r) && ((row(r).adds | row(r).sets) & needed).any()) {
+                    ancestors.set(r);
+                    needed = needed | row(r).reads;
+                    grew = true;
+                }
+        }
+    }
+
+    constexpr bool ready(int r) const {
+        const Row& it = row(r);
+        for (std::size_t w = 0; w < it.reads.words.size(); ++w)
+            for (std::uint64_t left = it.reads.words[w]; left != 0; left &= left - 1) {
+                const int c = static_cast<int>(w) * 64 + std::countr_zero(left);
+                if ((providers[static_cast<std::size_t>(c)] - done).any())
+                    return false;
+                if (advanced.test(c) && !it.advances && !ancestors.test(r) && !column_advanced(c))
+                    return false;
+            }
+        if (it.advances) // whoever needs the old value must have had it
+            for (int other = 0; other < static_cast<int>(n); ++other)
+                if (ancestors.test(other) && !done.test(other) && (row(other).reads & it.sets).any())
+                    return false;
+        return true;
+    }
+
+    constexpr bool column_advanced(int c) const {
+        for (int r = 0; r < static_cast<int>(n); ++r)
+            if (row(r).advances && row(r).sets.test(c))
+                return done.test(r);
+        return true;
+    }
+
+    constexpr void append(Step& step, int r) {
+        if (step.size == static_cast<int>(step.rows.size())) {
+            plan.fault = Fault::too_large;
+            return;
+        }
+        step.rows[static_cast<std::size_t>(step.size++)] = r;
+    }
+
+    // Particle rows that become ready one after the other share a loop as long as they are of one phase.
+    constexpr void particle_loops() {
+        for (bool any = true; any;) {
+            any = false;
+            for (int r = 0; r < static_cast<int>(n); ++r) {
+                if (row(r).pair || done.test(r) || !ready(r))
+                    continue;
+                any = true;
+                Step step{.sweep = false, .phase = row(r).phase, .round = plan.rounds};
+                for (bool grew = true; grew;) {
+                    grew = false;
+                    for (int k = 0; k < static_cast<int>(n); ++k)
+                        if (!row(k).pair && row(k).phase == step.phase && !done.test(k) && ready(k)) {
+                            append(step, k);
+                            done.set(k);
+                            grew = true;
+                        }
+                }
+                plan.steps[static_cast<std::size_t>(plan.size++)] = step;
+            }
+        }
+    }
+
+    // Does some row that is not done yet wait for what row r adds?
+    constexpr bool awaited(int r) const {
+        for (int k = 0; k < static_cast<int>(n); ++k)
+            if (!done.test(k) && k != r && (row(k).reads & row(r).adds).any())
+                return true;
+        return false;
+    }
+
+    constexpr void sweeps() {
+        Bits is_ready, swept;
+        int phases = 0;
+        for (int r = 0; r < static_cast<int>(n); ++r) {
+            phases = row(r).phase >= phases ? row(r).phase + 1 : phases;
+            if (row(r).pair && !done.test(r) && ready(r))
+                is_ready.set(r);
+        }
+        bool any_due = false;
+        for (int p = 0; p < phases; ++p) {
+            bool due = true, some = false;
+            for (int r = 0; r < static_cast<int>(n); ++r)
+                if (row(r).pair && row(r).phase == p && !done.test(r))
+                    some = true, due = due && is_ready.test(r);
+            if (some && due) {
+                any_due = true;
+                sweep(p, is_ready, false, swept);
+            }
+        }
+        if (!any_due)
+            for (int p = 0; p < phases; ++p)
+                sweep(p, is_ready, true, swept);
+        done = done | swept; // after all: a sweep sees what was there when the round's sweeps began
+    }
+
+    constexpr void sweep(int p, const Bits& is_ready, bool only_awaited, Bits& swept) {
+        Step step{.sweep = true, .phase = p, .round = plan.rounds};
+        for (int r = 0; r < static_cast<int>(n); ++r)
+            if (is_ready.test(r) && row(r).phase == p && (!only_awaited || awaited(r))) {
+                append(step, r);
+                swept.set(r);
+            }
+        if (step.size > 0)
+            plan.steps[static_cast<std::size_t>(plan.size++)] = step;
+    }
+};
+
+} // namespace detail
+
+/// Orders the rows. @param given columns that have a value when a step begins. Complexity: rows^2 times rounds.
+template <std::size_t n>
+constexpr Plan schedule(const std::array<Row, n>& rows, const Bits& given) {
+    return detail::Scheduler<n>(rows, given).run();
+}
+
+} // namespace imbibe

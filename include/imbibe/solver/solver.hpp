@@ -1,0 +1,398 @@
+// The solver: a scene of phases and couplings, put together at compile time and run.
+#pragma once
+
+#include "engine.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace imbibe {
+
+/// The numbers of a scene that belong to no phase.
+template <int dim>
+struct Settings {
+    /// Acceleration that acts on every particle that moves, m/s^2.
+    std::array<double, static_cast<std::size_t>(dim)> gravity{};
+    /// Support radius H of all phases that do not bring their own, m.
+    double support_radius = 0;
+    /// Courant-Friedrichs-Lewy number: the fraction of the longest stable step that is used.
+    double cfl = 0.4;
+    /// A fixed time step, s; 0: adaptive, the least of all limits times `cfl`.
+    double time_step = 0;
+    /// The longest step an adaptive run takes, s.
+    double max_time_step = 1e-2;
+    /// Lower end and length of the periodic sides, m; a length of 0: not periodic.
+    std::array<double, static_cast<std::size_t>(dim)> periodic_lower{}, periodic_length{};
+    /// Threads; 0: all of the machine.
+    int threads = 0;
+};
+
+/// A limit on the time step: how long, why, and in which phase or coupling.
+struct TimeStepLimit {
+    double seconds;
+    std::string reason, where;
+};
+
+/// Names a phase of a scene: what `add` returns and `scene[...]` takes.
+template <class P>
+struct PhaseHandle {};
+
+/// A scene.
+/// @tparam dim 2 or 3
+/// @tparam Real_ float or double
+/// @tparam Integrator how a step is made of rates; see time/
+/// @tparam Items the phases and the couplings between them, in any order
+template <int dim, class Real_, class Integrator, class... Items>
+class Solver {
+public:
+    using Scene = Composition<dim, Items...>;
+    static_assert(dim == 2 || dim == 3);
+    static_assert(Scene::valid);
+
+    using Real = Real_;
+    static constexpr int dimension = dim;
+    static constexpr int width = native_width<Real>;
+    using Phases = typename Scene::Phases;
+    using Couplings = typename Scene::Couplings;
+    template <class P>
+    using FieldsOf = typename Scene::template FieldsOf<P>;
+    using Engine = detail::Engine<dim, Real, Scene>;
+    template <class P>
+    using State = typename Engine::template State<P>;
+    using Point = Eigen::Matrix<double, dim, 1>;
+
+    /// @throws Error for a setting that is not finite or out of range
+    explicit Solver(const Settings<dim>& with) : settings_(with) {
+        for (double g : with.gravity)
+            require(std::isfinite(g), "gravity has a component ", g, " m/s^2; all must be finite");
+        require(std::isfinite(with.support_radius) && with.support_radius > 0, "support_radius = ", with.support_radius,
+                " m; it must be above 0 m, usually 2 to 3 particle spacings");
+        require(with.cfl > 0 && with.cfl <= 2, "cfl = ", with.cfl, "; it must be above 0 and not above 2, usually 0.4");
+        require(std::isfinite(with.time_step) && with.time_step >= 0, "time_step = ", with.time_step,
+                " s; it must not be negative (0 means adaptive)");
+        require(with.max_time_step > 0, "max_time_step = ", with.max_time_step, " s; it must be above 0 s");
+        for (double length : with.periodic_length)
+            require(std::isfinite(length) && (length == 0 || length >= with.support_radius), "a periodic length of ",
+                    length, " m; it must be 0 (not periodic) or at least the support radius, ", with.support_radius,
+                    " m");
+        for (std::size_t d = 0; d < dim; ++d)
+            engine_.gravity[static_cast<int>(d)] = with.gravity[d];
+        engine_.threads = with.threads > 0 ? with.threads : available_threads();
+        engine_.periodic.lower = with.periodic_lower;
+        engine_.periodic.length = with.periodic_length;
+    }
+
+    // ---- building the scene ----
+
+    /// Adds particles of a phase at the given points; each has mass density * spacing^dim.
+    /// @return what names the phase in `scene[...]`
+    /// @throws Error for a material or spacing out of range, or a coordinate that is not finite
+    template <class P>
+    PhaseHandle<P> add(const P& material, const std::vector<Point>& points, double spacing) {
+        const std::string name = detail::type_name<P>();
+        material.check(name);
+        require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
+        auto& s = engine_.template state<P>();
+        if (s.size() == 0) {
+            s.material = material;
+            s.material.spacing = spacing;
+            if (s.material.support_radius == 0)
+                s.material.support_radius = settings_.support_radius;
+        }
+        require(s.material.spacing == spacing, name, ": particles were added with spacing ", s.material.spacing,
+                " m before and ", spacing, " m now; use a second phase for a second spacing");
+        note_warnings(s.material, name);
+        const int before = s.size();
+        s.resize(before + static_cast<int>(points.size()));
+        const double volume = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
+        for (int k = 0; k < static_cast<int>(points.size()); ++k) {
+            const Point& x = points[static_cast<std::size_t>(k)];
+            const int i = before + k;
+            for (int d = 0; d < dim; ++d) {
+                require(std::isfinite(x[d]), name, ": coordinate ", d, " of point ", k, " is ", x[d],
+                        "; all coordinates must be finite numbers, m");
+                s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(x[d]);
+                if constexpr (State<P>::keeps_reference)
+                    s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(x[d]);
+            }
+            s.field(mass)[i] = static_cast<Real>(material.density * volume);
+            if constexpr (detail::contains<Density, FieldsOf<P>>)
+                s.field(density)[i] = static_cast<Real>(material.density);
+            if constexpr (detail::contains<Mobility, FieldsOf<P>>)
+                s.field(mobility)[i] = Real(1);
+        }
+        prepared_ = false;
+        return {};
+    }
+    /// Holds the particles of a phase whose position fulfils `held`; the phase must list the term `Clamped`.
+    /// Returns how many they are.
+    template <class P, class Held>
+    int hold(PhaseHandle<P>, const Held& held) {
+        static_assert(detail::contains<Mobility, FieldsOf<P>>, "imbibe: list the term Clamped in the phase to hold it");
+        auto& s = engine_.template state<P>();
+        int number = 0;
+        for (int i = 0; i < s.size(); ++i)
+            if (held(position_of(s, i))) {
+                s.field(mobility)[i] = Real(0);
+                ++number;
+            }
+        return number;
+    }
+    /// Removes the particles of a phase whose position fulfils `gone`. Returns how many they were.
+    template <class P, class Gone>
+    int remove_if(PhaseHandle<P>, const Gone& gone) {
+        static_assert(!State<P>::keeps_reference, "imbibe: particles of a total-Lagrangian solid cannot be removed");
+        auto& s = engine_.template state<P>();
+        std::vector<char> keep(static_cast<std::size_t>(s.size()), 1);
+        int removed = 0;
+        for (int i = 0; i < s.size(); ++i)
+            if (gone(position_of(s, i))) {
+                keep[static_cast<std::size_t>(i)] = 0;
+                ++removed;
+            }
+        if (removed > 0)
+            s.compress(keep);
+        return removed;
+    }
+    /// The coefficients of a coupling, to read or to change: `scene.coupling<Contact>().set(...)`.
+    template <class C>
+    C& coupling() {
+        return engine_.template coupling<C>();
+    }
+    template <class C>
+    const C& coupling() const {
+        return engine_.template coupling<C>();
+    }
+
+    // ---- looking at it ----
+
+    /// One phase of the scene. Its views are valid until the next step: particles are re-sorted.
+    template <class P, class S>
+    struct PhaseView {
+        S& state;
+        /// A field of all particles, n rows and one column per component, no copy: `scene[water][velocity]`.
+        template <class F>
+        auto operator[](F f) const {
+            return state.view(f);
+        }
+        int size() const { return state.size(); }
+        /// ids()[i] is the number particle i had when it was added.
+        const std::vector<std::uint32_t>& ids() const { return state.ids; }
+        auto& material() const { return state.material; }
+    };
+    template <class P>
+    PhaseView<P, State<P>> operator[](PhaseHandle<P>) {
+        return {engine_.template state<P>()};
+    }
+    template <class P>
+    PhaseView<P, const State<P>> operator[](PhaseHandle<P>) const {
+        return {engine_.template state<P>()};
+    }
+    /// The same by the phase's type.
+    template <class P>
+    auto get() {
+        return (*this)[PhaseHandle<P>{}];
+    }
+    template <class P>
+    auto get() const {
+        return (*this)[PhaseHandle<P>{}];
+    }
+
+    double time() const { return time_; }
+    long long steps() const { return steps_; }
+    int threads() const { return engine_.threads; }
+    const Settings<dim>& settings() const { return settings_; }
+    /// The step that was taken last, and what limited it.
+    const TimeStepLimit& last_step() const { return last_step_; }
+    long long particles() const {
+        long long n = 0;
+        engine_.for_each_phase([&](auto, const auto& s) { n += s.size(); });
+        return n;
+    }
+    /// What deserves a look but is no error, found while particles were added.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    /// For parts of the library that need more than views.
+    const Engine& engine() const { return engine_; }
+
+    // ---- running it ----
+
+    /// All limits on the next step, without the CFL number, shortest first.
+    std::vector<TimeStepLimit> time_step_limits() const {
+        std::vector<TimeStepLimit> limits;
+        phase_limits(limits, Phases{});
+        coupling_limits(limits, Couplings{});
+        std::sort(limits.begin(), limits.end(),
+                  [](const TimeStepLimit& a, const TimeStepLimit& b) { return a.seconds < b.seconds; });
+        return limits;
+    }
+    /// The step that would be taken next, and what limits it.
+    TimeStepLimit next_step() const {
+        if (settings_.time_step > 0)
+            return {settings_.time_step, "fixed", "settings"};
+        const auto limits = time_step_limits();
+        TimeStepLimit least{settings_.max_time_step, "max_time_step", "settings"};
+        if (!limits.empty() && settings_.cfl * limits.front().seconds < least.seconds) {
+            least = limits.front();
+            least.seconds *= settings_.cfl;
+        }
+        return least;
+    }
+    /// One step of the length the limits allow. Returns the length, s.
+    double step() {
+        prepare();
+        const TimeStepLimit chosen = next_step();
+        take(chosen);
+        return chosen.seconds;
+    }
+    /// One step of the given length, s.
+    void step(double seconds) {
+        require(std::isfinite(seconds) && seconds > 0, "a time step of ", seconds, " s; it must be above 0 s");
+        prepare();
+        take({seconds, "given", "caller"});
+    }
+    /// Steps until `end`, s, and calls every observer with the scene before the first step and after each one.
+    template <class... Observers>
+    void run_until(double end, Observers&&... observers) {
+        prepare();
+        (observers(*this), ...);
+        while (time_ < end * (1 - 1e-12)) {
+            TimeStepLimit chosen = next_step();
+            if (time_ + chosen.seconds > end)
+                chosen = {end - time_, "end of run", "caller"};
+            take(chosen);
+            (observers(*this), ...);
+        }
+    }
+    /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
+    /// by itself.
+    void prepare() {
+        if (prepared_)
+            return;
+        require(particles() > 0, "the scene has no particles; add some before the first step");
+        engine_.find_reference_neighbours();
+        engine_.find_neighbours();
+        engine_.template run<true>(0);
+        engine_.measure_motion();
+        prepared_ = true;
+    }
+
+private:
+    Settings<dim> settings_;
+    Engine engine_;
+    double time_ = 0;
+    long long steps_ = 0;
+    bool prepared_ = false;
+    TimeStepLimit last_step_{0, "none yet", "start"};
+    std::vector<std::string> warnings_;
+
+    void take(const TimeStepLimit& chosen) {
+        last_step_ = chosen;
+        try {
+            Integrator::step(engine_, chosen.seconds);
+        } catch (const Error& error) {
+            throw Error(text(error.what(), "; step ", steps_, ", time ", time_, " s, time step ", chosen.seconds,
+                             " s limited by ", chosen.reason, " (", chosen.where, "). The shortest limit is ",
+                             describe_shortest(), "; a step well below it is the first remedy to try"));
+        }
+        time_ += chosen.seconds;
+        ++steps_;
+    }
+    std::string describe_shortest() const {
+        const auto limits = time_step_limits();
+        return limits.empty() ? "none" : text(limits.front().seconds, " s (", limits.front().reason, ", ",
+                                              limits.front().where, ")");
+    }
+
+    template <class S>
+    static Point position_of(const S& s, int i) {
+        Point x;
+        for (int d = 0; d < dim; ++d)
+            x[d] = static_cast<double>(s.column(S::template offset<Position> + d)[i]);
+        return x;
+    }
+
+    template <class P>
+    void note_warnings(const P& material, const std::string& name) {
+        const double ratio = material.support_radius / material.spacing;
+        if (ratio < 1.3) {
+            int neighbours = 0; // of a lattice
+            const int reach = static_cast<int>(ratio) + 1;
+            for (int x = -reach; x <= reach; ++x)
+                for (int y = -reach; y <= reach; ++y)
+                    for (int z = dim == 3 ? -reach : 0; z <= (dim == 3 ? reach : 0); ++z)
+                        neighbours += x * x + y * y + z * z < ratio * ratio * (1 - 1e-9);
+            note(text(name, ": the support radius is ", ratio, " spacings, so a particle has only ", neighbours - 1,
+                      " neighbours and gradients come out too small; 2 to 3 spacings are usual"));
+        }
+        if constexpr (requires { material.warning(name); })
+            note(material.warning(name));
+    }
+    void note(const std::string& sentence) {
+        if (!sentence.empty() && std::find(warnings_.begin(), warnings_.end(), sentence) == warnings_.end())
+            warnings_.push_back(sentence);
+    }
+
+    // ---- limits on the time step ----
+    template <class... P>
+    void phase_limits(std::vector<TimeStepLimit>& limits, TypeList<P...>) const {
+        (limits_of_phase<P>(limits, typename P::terms{}), ...);
+    }
+    template <class P>
+    TimeStepInput input_of() const {
+        const auto& material = engine_.template state<P>().material;
+        const auto& motion = engine_.template motion<P>();
+        return {.support_radius = material.support_radius,
+                .spacing = material.spacing,
+                .max_speed = motion.speed,
+                .max_acceleration = motion.acceleration,
+                .dimension = dim};
+    }
+    template <class P, class... Term>
+    void limits_of_phase(std::vector<TimeStepLimit>& limits, TypeList<Term...>) const {
+        if (engine_.template state<P>().size() == 0)
+            return;
+        const TimeStepInput in = input_of<P>();
+        const auto& material = engine_.template state<P>().material;
+        (limit_of_term<Term, P>(limits, material, in, material), ...);
+        if (P::moves && in.max_acceleration > 0)
+            limits.push_back({std::sqrt(in.spacing / in.max_acceleration), "acceleration", detail::type_name<P>()});
+    }
+    template <class Term, class Where, class Owner, class... Arguments>
+    void limit_of_term(std::vector<TimeStepLimit>& limits, const Owner& owner, const TimeStepInput& in,
+                       const Arguments&... materials) const {
+        double seconds = -1;
+        if constexpr (requires { Term::time_step_limit(materials..., in); })
+            seconds = Term::time_step_limit(materials..., in);
+        else if constexpr (requires { typename Term::Parameters; })
+            if constexpr (requires {
+                              Term::time_step_limit(materials..., in,
+                                                    owner.coefficients.template get<typename Term::Parameters>());
+                          })
+                seconds = Term::time_step_limit(materials..., in,
+                                                owner.coefficients.template get<typename Term::Parameters>());
+        if constexpr (requires { Term::limit_name; })
+            if (seconds > 0)
+                limits.push_back({seconds, Term::limit_name, detail::type_name<Where>()});
+    }
+    template <class... C>
+    void coupling_limits(std::vector<TimeStepLimit>& limits, TypeList<C...>) const {
+        (limits_of_coupling<C>(limits, typename C::terms{}), ...);
+    }
+    template <class C, class... Term>
+    void limits_of_coupling(std::vector<TimeStepLimit>& limits, TypeList<Term...>) const {
+        const auto& a = engine_.template state<typename C::First>();
+        const auto& b = engine_.template state<typename C::Second>();
+        if (a.size() == 0 || b.size() == 0 || engine_.template are_apart<typename C::First, typename C::Second>())
+            return;
+        TimeStepInput in = input_of<typename C::First>();
+        const TimeStepInput other = input_of<typename C::Second>();
+        in.support_radius = std::max(in.support_radius, other.support_radius);
+        in.other_spacing = other.spacing;
+        in.other_max_speed = other.max_speed;
+        (limit_of_term<typename detail::Unwrapped<Term>::type, C>(limits, coupling<C>(), in, a.material, b.material),
+         ...);
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,178 @@
+// The particles of one phase: one stretch of memory per component of each field (structure of arrays), and the
+// order in which they lie there.
+#pragma once
+
+#include "../search/neighbours.hpp"
+#include "composition.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace imbibe::detail {
+
+/// Memory on cache-line boundaries.
+template <class T>
+struct AlignedAllocator {
+    using value_type = T;
+    AlignedAllocator() = default;
+    template <class U>
+    AlignedAllocator(const AlignedAllocator<U>&) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+    friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
+};
+template <class T>
+using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+
+/// Eigen's view of one field of all particles: n rows, one column per component, no copy.
+template <class Real, int columns>
+using FieldView = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, columns>, 0, Eigen::OuterStride<>>;
+
+/// @tparam List the fields of the phase
+template <class P, class List, int dim, class Real>
+class PhaseState {
+public:
+    static constexpr int component_total = component_count<dim, List>;
+    template <class F>
+    static constexpr int offset = component_offset<dim, F, List>;
+    static constexpr bool keeps_reference = contains<ReferencePosition, List>;
+
+    P material{};
+    std::vector<std::uint32_t> ids; ///< the number of each particle in the order in which they were added
+
+    int size() const { return n; }
+    Real* data() { return values.data(); }
+    const Real* data() const { return values.data(); }
+    std::size_t stride() const { return step; }
+    /// Component k of the phase's fields, for all particles.
+    Real* column(int k) { return values.data() + static_cast<std::size_t>(k) * step; }
+    const Real* column(int k) const { return values.data() + static_cast<std::size_t>(k) * step; }
+    template <class F>
+    Real* field(F) {
+        return column(offset<F>);
+    }
+    template <class F>
+    const Real* field(F) const {
+        return column(offset<F>);
+    }
+    template <class F>
+    auto view(F) {
+        static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
+        constexpr int columns = components(F::rank, dim);
+        return FieldView<Real, columns>(field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+    }
+    template <class F>
+    auto view(F) const {
+        static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
+        constexpr int columns = components(F::rank, dim);
+        return FieldView<const Real, columns>(field(F{}), n, columns,
+                                              Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+    }
+    search::Points<dim, Real> points() const { return points_of(position); }
+    template <class F>
+    search::Points<dim, Real> points_of(F) const {
+        search::Points<dim, Real> p;
+        p.n = n;
+        for (int d = 0; d < dim; ++d)
+            p.x[static_cast<std::size_t>(d)] = column(offset<F> + d);
+        return p;
+    }
+
+    /// Changes the number of particles; the values of those that stay are kept, new ones are zero.
+    void resize(int count) {
+        const std::size_t wanted = stride_for(count);
+        if (wanted != step) {
+            AlignedVector<Real> grown(wanted * static_cast<std::size_t>(component_total), Real(0));
+            for (int k = 0; k < component_total; ++k)
+                std::copy_n(column(k), std::min(n, count), grown.data() + static_cast<std::size_t>(k) * wanted);
+            values.swap(grown);
+            spare.clear();
+            image.clear();
+            step = wanted;
+        }
+        for (int k = 0; k < component_total; ++k) // lanes beyond the last particle are read, and must be finite
+            std::fill(column(k) + std::min(n, count), column(k) + step, Real(0));
+        n = count;
+        const std::size_t known = ids.size();
+        ids.resize(static_cast<std::size_t>(n));
+        for (std::size_t i = known; i < ids.size(); ++i)
+            ids[i] = next_id++;
+    }
+
+    /// Puts the particles into a new order: particle order[k] moves to k. All components are carried along.
+    void reorder(const std::vector<std::uint32_t>& order, int threads) {
+        spare.resize(values.size());
+        parallel_for(component_total, threads, [&](int k) {
+            const Real* from = column(k);
+            Real* to = spare.data() + static_cast<std::size_t>(k) * step;
+            for (std::size_t i = 0; i < order.size(); ++i)
+                to[i] = from[order[i]];
+            std::copy(from + order.size(), from + step, to + order.size());
+        });
+        values.swap(spare);
+        std::vector<std::uint32_t> moved(ids.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            moved[i] = ids[order[i]];
+        ids.swap(moved);
+        n = static_cast<int>(order.size());
+    }
+
+    /// Keeps only the particles for which keep[i] is true.
+    void compress(const std::vector<char>& keep) {
+        std::vector<std::uint32_t> order;
+        for (int i = 0; i < n; ++i)
+            if (keep[static_cast<std::size_t>(i)])
+                order.push_back(static_cast<std::uint32_t>(i));
+        reorder(order, 1);
+        ids.resize(order.size());
+        for (int k = 0; k < component_total; ++k)
+            std::fill(column(k) + n, column(k) + step, Real(0));
+    }
+
+    // ---- the sorted copy through which others see a phase that keeps its reference order ----
+    /// Copies components [first, first + count) into the copy, in the order of the cell table.
+    void copy_to_image(int first, int count, int threads) {
+        image.resize(values.size());
+        parallel_for(count, threads, [&](int c) {
+            const Real* from = column(first + c);
+            Real* to = image.data() + static_cast<std::size_t>(first + c) * step;
+            for (std::size_t i = 0; i < image_order.size(); ++i)
+                to[i] = from[image_order[i]];
+        });
+    }
+    search::Points<dim, Real> image_points() const {
+        search::Points<dim, Real> p;
+        p.n = n;
+        for (int d = 0; d < dim; ++d)
+            p.x[static_cast<std::size_t>(d)] = image.data() + static_cast<std::size_t>(offset<Position> + d) * step;
+        return p;
+    }
+    Real* image_column(int k) { return image.data() + static_cast<std::size_t>(k) * step; }
+    const Real* image_data() const { return image.data(); }
+
+    search::CellTable table;                ///< of the present positions
+    std::vector<std::uint32_t> image_order; ///< image[k] is particle image_order[k]
+    search::Bounds<dim> bounds;
+    std::size_t bytes() const {
+        return (values.capacity() + spare.capacity() + image.capacity()) * sizeof(Real) +
+               ids.capacity() * sizeof(std::uint32_t);
+    }
+
+private:
+    // Room for the widest pack beyond the end, and an odd number of cache lines, so that the same particle's
+    // components do not compete for one place in the cache.
+    static std::size_t stride_for(int count) {
+        constexpr std::size_t line = 64 / sizeof(Real);
+        std::size_t lines = (static_cast<std::size_t>(count) + 64) / line + 1;
+        return (lines | 1) * line;
+    }
+    int n = 0;
+    std::size_t step = 0;
+    std::uint32_t next_id = 0;
+    AlignedVector<Real> values, spare, image;
+};
+
+} // namespace imbibe::detail

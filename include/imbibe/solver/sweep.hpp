@@ -1,0 +1,183 @@
+// The loops: over the particles of a phase, and over their neighbours. The pair loop gathers: each particle sums over
+// its own runs in a fixed order and nobody else writes there, so threads never race and never change a bit.
+#pragma once
+
+#include "state.hpp"
+
+namespace imbibe::detail {
+
+/// One particle, or a pack of consecutive ones, as a part sees them. Only declared fields can be read.
+template <class N, class P, class List, int dim, class Real, int width, bool broadcast>
+struct ParticleView {
+    using Material = P;
+    using Scalar = Pack<Real, width>;
+    static constexpr int dimension = dim;
+    const Real* data;
+    std::size_t stride;
+    const P& material;
+    const Vector<double, dim>& gravity_now;
+    const Vector<Real, dim>* image; ///< displacement of the periodic image through which this particle is seen
+
+    template <class F>
+    IMBIBE_INLINE auto operator[](F) const {
+        static_assert(contains<F, typename N::Reads>);
+        constexpr int first = component_offset<dim, F, List>;
+        Value<F, dim, Scalar> v;
+        for (int k = 0; k < components(F::rank, dim); ++k) {
+            const Real* from = data + static_cast<std::size_t>(first + k) * stride;
+            if constexpr (broadcast)
+                component(v, k) = Scalar(*from);
+            else
+                component(v, k) = Scalar::load(from);
+        }
+        if constexpr (!broadcast && (std::is_same_v<F, Position> || std::is_same_v<F, ReferencePosition>))
+            for (int k = 0; k < dim; ++k)
+                component(v, k) += Scalar((*image)[k]);
+        return v;
+    }
+    IMBIBE_INLINE Vector<Scalar, dim> gravity() const {
+        Vector<Scalar, dim> g;
+        for (int i = 0; i < dim; ++i)
+            g[i] = Scalar(gravity_now[i]);
+        return g;
+    }
+};
+
+/// The sums of a sweep, field by field, and the contributions along the line of centres not yet multiplied out.
+template <class List, int dim, class T>
+struct Sums {
+    T total[static_cast<std::size_t>(component_count<dim, List>)];
+    T central[static_cast<std::size_t>(List::size)];
+
+    template <class F, class V>
+    IMBIBE_INLINE void add(const V& value) {
+        constexpr int first = component_offset<dim, F, List>;
+        for (int k = 0; k < components(F::rank, dim); ++k)
+            total[first + k] += component(value, k);
+    }
+    template <class F>
+    IMBIBE_INLINE void add(const Central<T>& value) {
+        static_assert(F::rank == Rank::vector, "imbibe: along(ab, ...) adds to a vector field");
+        central[index_of<F, List>] += value.factor;
+    }
+};
+
+template <int dim, class T, class List, class Node_, class R, std::size_t... k>
+IMBIBE_INLINE void add_all(Sums<List, dim, T>& sums, const R& result, std::index_sequence<k...>) {
+    if constexpr (is_tuple<R>)
+        (sums.template add<At<static_cast<int>(k), typename Node_::Adds>>(std::get<k>(result)), ...);
+    else
+        (sums.template add<At<static_cast<int>(k), typename Node_::Adds>>(result), ...);
+}
+
+/// A part with its coefficients filled in from the phase or coupling that owns it.
+template <class N, class Owner>
+IMBIBE_INLINE auto make_part(const Owner& owner) {
+    typename N::Part part{};
+    if constexpr (requires { part.parameters; })
+        part.parameters = owner.coefficients.template get<std::remove_cvref_t<decltype(part.parameters)>>();
+    return part;
+}
+
+/// Neighbours of a sweep: which phase, by which positions.
+template <class B_, bool reference_>
+struct Source {
+    using B = B_;
+    static constexpr bool reference = reference_;
+};
+
+template <class S>
+struct NodesFrom {
+    template <class N>
+    struct Keep : std::bool_constant<std::is_same_v<typename N::B, typename S::B> && N::reference == S::reference> {};
+};
+
+template <class List>
+struct SourcesOf;
+template <class... N>
+struct SourcesOf<TypeList<N...>> {
+    using type = Unique<TypeList<Source<typename N::B, N::reference>...>>;
+};
+template <class List>
+struct AddsOfNodes;
+template <class... N>
+struct AddsOfNodes<TypeList<N...>> {
+    using type = Unique<Concat<typename N::Adds...>>;
+};
+
+/// What a sweep needs to know of one source.
+template <int dim, class Real>
+struct SourceData {
+    const Real* data;
+    std::size_t stride;
+    const search::RunList* runs;
+    double support;
+    bool absent; ///< nothing of it is near
+    std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
+};
+
+/// What a single node contributes for one run of neighbours.
+template <class N, class ListA, class ListB, int dim, class Real, int width, class Part, class Adds>
+IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums,
+                           const PhaseState<typename N::A, ListA, dim, Real>& state,
+                           const SourceData<dim, Real>& source, const typename N::B& material_b,
+                           const Pair<dim, Pack<Real, width>>& ab, int i, const search::Run& run) {
+    const Vector<Real, dim>& image = source.images[run.shift];
+    const ParticleView<N, typename N::A, ListA, dim, Real, width, true> a{state.data() + i, state.stride(),
+                                                                          state.material, ab.gravity_now, &image};
+    const ParticleView<N, typename N::B, ListB, dim, Real, width, false> b{source.data + run.first, source.stride,
+                                                                           material_b, ab.gravity_now, &image};
+    add_all<dim, Pack<Real, width>, Adds, N>(
+        sums, part(a, b, ab), std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
+}
+
+template <int dim, class T, class... F>
+IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector<T, dim>& offset) {
+    using List = TypeList<F...>;
+    const auto one = [&]<class G>(std::type_identity<G>) {
+        if constexpr (G::rank == Rank::vector)
+            for (int k = 0; k < dim; ++k)
+                sums.total[component_offset<dim, G, List> + k] += sums.central[index_of<G, List>] * offset[k];
+    };
+    (one(std::type_identity<F>{}), ...);
+}
+
+/// Adds to `sums` what the neighbours of particle i from one source contribute, node by node.
+template <class S, class ListB, class... N, class A, class ListA, class Adds, int dim, class Real, int width,
+          class PartTuple, std::size_t... k>
+IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
+                          const PhaseState<A, ListA, dim, Real>& state, const SourceData<dim, Real>& source,
+                          const typename S::B& material_b, const Vector<double, dim>& gravity, int i,
+                          const PartTuple& parts) {
+    using T = Pack<Real, width>;
+    using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
+    const T outside(static_cast<Real>(1.0001 * source.support * source.support));
+    [[maybe_unused]] const T lanes = lane_numbers<Real, width>();
+    constexpr int place_a = component_offset<dim, Place, ListA>, place_b = component_offset<dim, Place, ListB>;
+    Pair<dim, T> ab;
+    ab.support_radius = T(static_cast<Real>(source.support));
+    ab.inverse_support = T(static_cast<Real>(1 / source.support));
+    ab.gravity_now = gravity;
+    Real here[dim];
+    for (int d = 0; d < dim; ++d)
+        here[d] = state.column(place_a + d)[i];
+
+    for (const search::Run run : (*source.runs)[i]) {
+        const Vector<Real, dim>& image = source.images[run.shift];
+        T distance2(0);
+        for (int d = 0; d < dim; ++d) {
+            ab.offset[d] = T(here[d] - image[d]) -
+                           T::load(source.data + static_cast<std::size_t>(place_b + d) * source.stride + run.first);
+            distance2 += sq(ab.offset[d]);
+        }
+        if constexpr (width > 1) // what is beyond the run's count is put where every kernel is zero
+            distance2 = select(lanes < T(static_cast<Real>(run.count)), distance2, outside);
+        ab.distance = sqrt(distance2);
+        for (T& c : sums.central)
+            c = T(0);
+        (add_run<N, ListA, ListB>(std::get<k>(parts), sums, state, source, material_b, ab, i, run), ...);
+        multiply_out(sums, ab.offset);
+    }
+}
+
+} // namespace imbibe::detail
