@@ -1,0 +1,38 @@
+// The pressure force between volumes: the form for interfaces, where the density jumps.
+#pragma once
+
+#include <imbibe/fluid/volume.hpp>
+#include <imbibe/kernels/wendland.hpp>
+
+namespace imbibe {
+
+/// dv_a/dt = - 1/m_a sum_b V_a V_b (p_a + p_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho.
+///
+/// The force that does as much work as VolumeContinuity counts compression (virtual work), so the two belong
+/// together: energy is then lost to no one. Right across a jump of density, between fluids and between a fluid and a
+/// wall or a solid, because pressure, which is continuous there, is all it averages. The force of the pair is along
+/// the line of centres, equal and opposite, to the last bit where the masses are equal.
+///
+/// In a coupling with a wall or a total-Lagrangian solid the other side's `pressure` is that of PressureExtrapolation
+/// and its volume is its own m/rho. Write the term there without `Into`: both sides need the volume, and a wall that
+/// does not move computes no force.
+///
+/// Not without something against clumping where the pressure is negative (DensityFloor, particle shifting). Not where
+/// the volume of a particle is not m/rho.
+///
+/// Source: Colagrossi and Landrini (2003); the same average of volumes and pressures, Hu and Adams (2006).
+template <class Kernel = WendlandC2>
+struct VolumePressure {
+    struct Push {
+        using reads = Fields<mass, volume, pressure>;
+        using adds = Fields<acceleration>;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            const auto per_mass = 1 / a[mass]; // does not depend on b: leaves the pair loop
+            return along(ab, -(a[volume] * b[volume] * (a[pressure] + b[pressure]) * ab.gradient(Kernel{}) * per_mass));
+        }
+    };
+    using parts = Parts<Volume, Push>;
+};
+
+} // namespace imbibe

@@ -1,0 +1,38 @@
+// A compressible neo-Hookean solid: rubber, and foams that are squeezed hard.
+#pragma once
+
+#include <imbibe/solid/first_piola.hpp>
+
+namespace imbibe {
+
+/// P = mu (F - F^-T) + lambda/2 (J^2 - 1) F^-T, in Pa, J = det F, with mu = G and lambda = K - 2G/3, K = rho_0 c^2 of
+/// the material. In 2D: plane strain (the third stretch is one).
+///
+/// For large strains, above all compression, which it resists without limit. Equal to Hooke's law for small ones.
+///
+/// An element turned inside out (J <= 0) is beyond it; J is then taken as 0.001, which pushes it back.
+///
+/// Stored energy, Pa: lambda/4 (J^2 - 1 - 2 ln J) + mu/2 (tr F^T F - 3 - 2 ln J).
+///
+/// Source: Ciarlet (1988); Simo and Hughes (1998).
+struct NeoHookean {
+    using reads = Fields<deformation_gradient>;
+    using sets = Fields<first_piola_stress>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+        using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+        const auto F = a[deformation_gradient];
+        const T J = max(determinant(F), T(1e-3));
+        const auto cofactor = transpose(adjugate(F)); // J F^-T
+        const T mu = a.material.shear_modulus, lambda = detail::lame_lambda(a.material);
+        return mu * F + ((T(0.5) * lambda * (sq(J) - 1) - mu) / J) * cofactor;
+    }
+
+    static constexpr const char* limit_name = "elastic wave";
+    /// spacing/(c_l + v), s, with the speed of longitudinal waves c_l = sqrt((K + 4G/3)/rho_0) and the greatest speed v.
+    static double time_step_limit(const auto& material, const TimeStepInput& in) {
+        return detail::elastic_wave_limit(material, in);
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,39 @@
+// The law of St. Venant and Kirchhoff: Hooke's law for large rotations.
+#pragma once
+
+#include <imbibe/solid/first_piola.hpp>
+
+namespace imbibe {
+
+/// P = F S, S = lambda tr(E) 1 + 2 mu E, E = (F^T F - 1)/2, in Pa, with mu = G and lambda = K - 2G/3, K = rho_0 c^2 of
+/// the material. In 2D: plane strain.
+///
+/// For large displacements and rotations with small strains (plates, beams, sponges that bend): a rotation gives no
+/// stress.
+///
+/// Not for strong compression: below a stretch of 0.58 the material softens and at last collapses (dP/dF < 0 for
+/// F < 1/sqrt(3) in one dimension). NeoHookean does not.
+///
+/// Source: any textbook of continuum mechanics, for instance Holzapfel (2000).
+struct StVenantKirchhoff {
+    using reads = Fields<deformation_gradient>;
+    using sets = Fields<first_piola_stress>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+        using A = std::remove_cvref_t<decltype(a)>;
+        using T = typename A::Scalar;
+        const auto F = a[deformation_gradient];
+        const auto E = T(0.5) * (transpose(F) * F - identity<T, A::dimension>());
+        const auto S = T(detail::lame_lambda(a.material)) * trace(E) * identity<T, A::dimension>() +
+                       T(2 * a.material.shear_modulus) * E;
+        return F * S;
+    }
+
+    static constexpr const char* limit_name = "elastic wave";
+    /// spacing/(c_l + v), s, with the speed of longitudinal waves c_l = sqrt((K + 4G/3)/rho_0) and the greatest speed v.
+    static double time_step_limit(const auto& material, const TimeStepInput& in) {
+        return detail::elastic_wave_limit(material, in);
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,97 @@
+// A wall that water sticks to: the velocity of the wall's particles continued from the fluid, and the viscous force
+// that sees it. Without it in the coupling the wall is free-slip.
+#pragma once
+
+#include <imbibe/fluid/morris_viscosity.hpp>
+
+namespace imbibe {
+
+/// sum_f W_af, 1/m^3 (1/m^2 in 2D).
+struct NoSlipWeight : Field<Rank::scalar> {
+    static constexpr std::string_view name = "no_slip_weight", unit = "1/m^3";
+};
+inline constexpr NoSlipWeight no_slip_weight{};
+
+/// sum_f (v_f - v_a) W_af, 1/(m^2 s).
+struct NoSlipSum : Field<Rank::vector> {
+    static constexpr std::string_view name = "no_slip_sum", unit = "1/(m^2 s)";
+};
+inline constexpr NoSlipSum no_slip_sum{};
+
+/// The velocity that a wall particle shows to the fluid's viscosity, m/s.
+struct NoSlipVelocityField : Field<Rank::vector> {
+    static constexpr std::string_view name = "no_slip_velocity", unit = "m/s";
+};
+inline constexpr NoSlipVelocityField no_slip_velocity{};
+
+/// v_shown = 2 v_a - sum_f v_f W_af / sum_f W_af, in m/s, for a particle a of a wall or a solid: the fluid's velocity
+/// reflected about the wall's own, so that the two meet at the surface. v_a itself where there is no fluid.
+///
+/// Goes into the wall or the solid, together with NoSlipViscosity:
+/// `Coupling<Water, Wall, Into<Wall, NoSlipVelocity<>>, NoSlipViscosity<>, ...>`.
+///
+/// Not for the continuity equation or the pressure: those see where the wall really goes.
+///
+/// Source: Adami, Hu and Adams (2012), Eqs. (22) and (23).
+template <class Kernel = WendlandC2>
+struct NoSlipVelocity {
+    struct Sum { // a: wall or solid, b: fluid
+        using reads = Fields<velocity>;
+        using adds = Fields<no_slip_weight, no_slip_sum>;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            const auto weight = ab.value(Kernel{});
+            return values(weight, weight * (b[velocity] - a[velocity]));
+        }
+    };
+    struct Reflect {
+        using reads = Fields<velocity, no_slip_weight, no_slip_sum>;
+        using sets = Fields<no_slip_velocity>;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+            return a[velocity] - a[no_slip_sum] / max(a[no_slip_weight], 1e-30);
+        }
+    };
+    using parts = Parts<Sum, Reflect>;
+};
+
+namespace detail {
+
+// The velocity that the viscosity between a fluid and something else sees: a fluid's own, the other's shown one.
+IMBIBE_INLINE constexpr auto velocity_at_wall(const auto& a) {
+    using Material = typename std::remove_cvref_t<decltype(a)>::Material;
+    if constexpr (Material::moves && requires(const Material& m) { m.viscosity; })
+        return a[velocity];
+    else
+        return a[no_slip_velocity];
+}
+
+} // namespace detail
+
+/// MorrisViscosity between a fluid and a wall or solid that shows the velocity of NoSlipVelocity:
+/// dv_a/dt = sum_b m_b (eta_a + eta_b)/(rho_a rho_b) (x_ab . grad_a W_ab)/|x_ab|^2 (u_a - u_b), in m/s^2, with u = v in
+/// the fluid and u = v_shown in the wall. A wall or solid without a viscosity of its own shows the fluid's.
+/// The force on a solid is equal and opposite.
+///
+/// Not inside a fluid, and not between two fluids: that is MorrisViscosity.
+///
+/// Source: Adami, Hu and Adams (2012); Morris, Fox and Zhu (1997), Eq. (22).
+template <class Kernel = WendlandC2>
+struct NoSlipViscosity {
+    using reads = Fields<mass, density, velocity, no_slip_velocity>;
+    using adds = Fields<acceleration>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        const double eta = detail::viscosity_sum(a.material, b.material);
+        return (eta * b[mass] / (a[density] * b[density]) * ab.gradient(Kernel{})) *
+               (detail::velocity_at_wall(a) - detail::velocity_at_wall(b));
+    }
+
+    static constexpr const char* limit_name = MorrisViscosity<Kernel>::limit_name;
+    /// That of MorrisViscosity, s.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        return MorrisViscosity<Kernel>::time_step_limit(material_a, material_b, in);
+    }
+};
+
+} // namespace imbibe
