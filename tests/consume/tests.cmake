@@ -19,3 +19,9 @@ foreach(way find_package add_subdirectory fetch_content)
     set_tests_properties(consume_${way} PROPERTIES LABELS unit TIMEOUT 900)
 endforeach()
 set_tests_properties(consume_find_package PROPERTIES FIXTURES_REQUIRED imbibe_installed)
+
+if(EXISTS ${PROJECT_SOURCE_DIR}/examples/dam_break.cpp)
+    add_test(NAME consume_readme
+        COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/readme.cmake)
+    set_tests_properties(consume_readme PROPERTIES LABELS unit)
+endif()
