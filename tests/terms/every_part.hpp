@@ -1,0 +1,65 @@
+// Every pair part of the terms in one list, with the materials it runs between, for the tests that ask the same of all.
+#pragma once
+
+#include "hand.hpp"
+
+#include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/laminar_viscosity.hpp>
+#include <imbibe/fluid/monaghan_viscosity.hpp>
+#include <imbibe/fluid/symmetric_pressure.hpp>
+#include <imbibe/kernels/poly6.hpp>
+#include <imbibe/solid/artificial_stress.hpp>
+#include <imbibe/solid/stress_force.hpp>
+#include <imbibe/solid/velocity_gradient.hpp>
+#include <imbibe/solid/xsph.hpp>
+
+namespace hand {
+
+/// A pair part, what its two sides are made of, and whether it is a force (equal and opposite times the masses).
+template <class Part_, class A_, class B_, bool force>
+struct Case {
+    using Part = Part_;
+    using A = A_;
+    using B = B_;
+    static constexpr bool is_force = force;
+};
+
+template <int dim>
+using Laminar = LaminarViscosity<std::conditional_t<dim == 3, ViscosityKernel, ViscosityKernel2D>>;
+
+template <int dim>
+using EveryPairPart = TypeList<
+    Case<Continuity<Spiky>, Water, Water, false>, Case<Continuity<Poly6, smoothed_velocity>, Sponge, Sponge, false>,
+    Case<VolumeContinuity<Spiky>, Water, Sponge, false>, Case<SymmetricPressure<Spiky>::Push, Water, Water, true>,
+    Case<SymmetricPressure<Spiky>::Push, Water, Sponge, true>, Case<Laminar<dim>, Water, Water, true>,
+    Case<Laminar<dim>, Water, Sponge, true>, Case<MonaghanViscosity<Spiky>, Sponge, Sponge, true>,
+    Case<MonaghanViscosity<Spiky>, Water, Sponge, true>, Case<VelocityGradient<Spiky>, Sponge, Sponge, false>,
+    Case<StressForce<Spiky>::Push, Sponge, Sponge, true>, Case<ArtificialStress<Spiky>::Push, Sponge, Sponge, true>,
+    Case<ArtificialStress<Spiky, ComponentWise, Poly6, 3>::Push, Sponge, Sponge, true>,
+    Case<Xsph<Poly6>::Sum, Sponge, Sponge, false>, Case<KernelRepulsion<>, Water, Sponge, true>>;
+
+template <class F, class... C>
+void for_each_case(TypeList<C...>, F f) {
+    (f(C{}), ...);
+}
+
+template <class Material>
+Material material_of() {
+    if constexpr (std::is_same_v<Material, Water>)
+        return water();
+    else
+        return sponge();
+}
+
+/// A random particle that also has what the terms prepare.
+template <class Material, int dim>
+Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number<double>, dim> where) {
+    auto p = dice.particle<dim>(material_of<Material>(), where);
+    p.set(pressure_over_density2, typename SymmetricPressure<Spiky>::Prepare{}(p));
+    p.set(stress_over_density2, typename StressForce<Spiky>::Prepare{}(p));
+    p.set(artificial_stress_over_density2, typename ArtificialStress<Spiky>::Prepare{}(p));
+    return p;
+}
+
+} // namespace hand
