@@ -2,7 +2,7 @@
 // which side of the pair? What it returns is thrown away; the record becomes the part's row in the schedule.
 #pragma once
 
-#include "term.hpp"
+#include <imbibe/core/term.hpp>
 
 namespace imbibe {
 

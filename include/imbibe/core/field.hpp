@@ -1,7 +1,7 @@
 // What a field is: a name, a unit and a rank; and lists of fields, in which terms say what they read, add to and set.
 #pragma once
 
-#include "vector.hpp"
+#include <imbibe/core/vector.hpp>
 
 #include <array>
 #include <string_view>

@@ -1,7 +1,7 @@
 // The fields every SPH code knows. A term that needs a field of its own declares it beside itself.
 #pragma once
 
-#include "field.hpp"
+#include <imbibe/core/field.hpp>
 
 namespace imbibe {
 

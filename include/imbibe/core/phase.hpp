@@ -2,8 +2,8 @@
 //   struct Water : imbibe::Fluid<imbibe::Tait<>, ...> {};
 #pragma once
 
-#include "error.hpp"
-#include "term.hpp"
+#include <imbibe/core/error.hpp>
+#include <imbibe/core/term.hpp>
 
 #include <cmath>
 #include <string>

@@ -10,8 +10,8 @@
 // `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`.
 #pragma once
 
-#include "field.hpp"
-#include "fields.hpp"
+#include <imbibe/core/field.hpp>
+#include <imbibe/core/fields.hpp>
 
 #include <cstddef>
 #include <tuple>

@@ -5,7 +5,7 @@
 // do: these few types can. to_eigen/from_eigen cross the border.
 #pragma once
 
-#include "pack.hpp"
+#include <imbibe/core/pack.hpp>
 
 #include <Eigen/Core>
 

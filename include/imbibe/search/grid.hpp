@@ -2,8 +2,8 @@
 // that the neighbours of a particle in one row of cells are one contiguous stretch of the sorted order.
 #pragma once
 
-#include "../core/error.hpp"
-#include "../core/parallel.hpp"
+#include <imbibe/core/error.hpp>
+#include <imbibe/core/parallel.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Builds the runs of neighbours of one set of points in another.
 #pragma once
 
-#include "../core/pack.hpp"
-#include "grid.hpp"
-#include "runs.hpp"
+#include <imbibe/core/pack.hpp>
+#include <imbibe/search/grid.hpp>
+#include <imbibe/search/runs.hpp>
 
 #include <bit>
 
@@ -80,16 +80,18 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
                         runs, sources, seen, support2, table.start(row * row_length + static_cast<std::size_t>(from)),
                         table.start(row * row_length + static_cast<std::size_t>(to) + 1), image);
                 };
-                if (!grid.wraps(0)) {
-                    if (high >= 0 && low < n)
-                        stretch(std::max(low, 0), std::min(high, n - 1), 0);
-                    return;
-                }
-                if (low < 0)
-                    stretch(std::max(low + n, 0), n - 1, -1);
-                stretch(std::max(low, 0), std::min(high, n - 1), 0);
-                if (high >= n)
-                    stretch(0, std::min(high - n, n - 1), 1);
+                // The part of [low, high] that lies in the grid, seen directly or one period further on or back. A
+                // target that is not wrapped may stand outside: then there may be nothing to see directly.
+                const auto part = [&](int moved, int period) {
+                    const int from = std::max(low + moved, 0), to = std::min(high + moved, n - 1);
+                    if (from <= to)
+                        stretch(from, to, period);
+                };
+                if (grid.wraps(0) && low < 0)
+                    part(n, -1);
+                part(0, 0);
+                if (grid.wraps(0) && high >= n)
+                    part(-n, 1);
             };
             // The rows around, direction by direction; `weight` is 3^d, the value of a step in the image number.
             const auto around = [&](int d, const auto& next) {

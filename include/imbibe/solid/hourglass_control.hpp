@@ -53,10 +53,10 @@ struct HourglassControl {
     using parts = Parts<Displacement, Push>;
 
     static constexpr const char* limit_name = "hourglass stiffness";
-    /// H/(c sqrt(7 alpha)), s, with c = sqrt(E/rho_0): 2 over the highest frequency. The sum of W/|X|^2 over volumes
-    /// is about 14/H^2.
+    /// H/(c sqrt(7 alpha/dim)), s, with c = sqrt(E/rho_0): 2 over the highest frequency. The sum of W/|X|^2 over
+    /// volumes is about 14/H^2, and each direction has its share of it.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
-        const double stiffness = 7 * parameters.alpha * material.young_modulus() / material.density;
+        const double stiffness = 7 * parameters.alpha * material.young_modulus() / (in.dimension * material.density);
         return stiffness > 0 ? in.support_radius / std::sqrt(stiffness) : std::numeric_limits<double>::infinity();
     }
 };

@@ -2,9 +2,9 @@
 // schedule, the plan, and the rules it must keep.
 #pragma once
 
-#include "nodes.hpp"
-#include "rules.hpp"
-#include "schedule.hpp"
+#include <imbibe/solver/nodes.hpp>
+#include <imbibe/solver/rules.hpp>
+#include <imbibe/solver/schedule.hpp>
 
 namespace imbibe {
 

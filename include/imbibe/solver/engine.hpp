@@ -1,8 +1,8 @@
 // The engine room of a scene: the particles of all phases, their neighbours, and the plan turned into loops.
 #pragma once
 
-#include "../core/parallel.hpp"
-#include "sweep.hpp"
+#include <imbibe/core/parallel.hpp>
+#include <imbibe/solver/sweep.hpp>
 
 #include <string>
 
@@ -140,6 +140,7 @@ public:
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             if (s.size() > 0 && takes_part<P>())
                 sort(s);
+            s.pad();
         });
         each_link([&]<class L>(L& link) {
             if constexpr (!L::reference) {
@@ -394,6 +395,7 @@ private:
             sweep<P>(Nodes{});
         else
             particle_loop<P>(Nodes{});
+        state<P>().pad();
     }
     template <class Rows, bool once, int k, class Sequence>
     struct Pick;

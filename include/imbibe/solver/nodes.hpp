@@ -2,8 +2,8 @@
 // therefore has. All of it is types; nothing here exists at run time.
 #pragma once
 
-#include "../core/dry_run.hpp"
-#include "../core/phase.hpp"
+#include <imbibe/core/dry_run.hpp>
+#include <imbibe/core/phase.hpp>
 
 namespace imbibe::detail {
 

@@ -1,7 +1,7 @@
 // The solver: a scene of phases and couplings, put together at compile time and run.
 #pragma once
 
-#include "engine.hpp"
+#include <imbibe/solver/engine.hpp>
 
 #include <algorithm>
 #include <string>
@@ -105,7 +105,7 @@ public:
         note_warnings(s.material, name);
         const int before = s.size();
         s.resize(before + static_cast<int>(points.size()));
-        const double volume = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
+        const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
         for (int k = 0; k < static_cast<int>(points.size()); ++k) {
             const Point& x = points[static_cast<std::size_t>(k)];
             const int i = before + k;
@@ -116,7 +116,7 @@ public:
                 if constexpr (State<P>::keeps_reference)
                     s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(x[d]);
             }
-            s.field(mass)[i] = static_cast<Real>(material.density * volume);
+            s.field(mass)[i] = static_cast<Real>(material.density * cell);
             if constexpr (detail::contains<Density, FieldsOf<P>>)
                 s.field(density)[i] = static_cast<Real>(material.density);
             if constexpr (detail::contains<Mobility, FieldsOf<P>>)

@@ -2,8 +2,8 @@
 // order in which they lie there.
 #pragma once
 
-#include "../search/neighbours.hpp"
-#include "composition.hpp"
+#include <imbibe/search/neighbours.hpp>
+#include <imbibe/solver/composition.hpp>
 
 #include <Eigen/Core>
 
@@ -93,7 +93,7 @@ public:
             image.clear();
             step = wanted;
         }
-        for (int k = 0; k < component_total; ++k) // lanes beyond the last particle are read, and must be finite
+        for (int k = 0; k < component_total; ++k)
             std::fill(column(k) + std::min(n, count), column(k) + step, Real(0));
         n = count;
         const std::size_t known = ids.size();
@@ -110,14 +110,14 @@ public:
             Real* to = spare.data() + static_cast<std::size_t>(k) * step;
             for (std::size_t i = 0; i < order.size(); ++i)
                 to[i] = from[order[i]];
-            std::copy(from + order.size(), from + step, to + order.size());
-        });
+                    });
         values.swap(spare);
         std::vector<std::uint32_t> moved(ids.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             moved[i] = ids[order[i]];
         ids.swap(moved);
         n = static_cast<int>(order.size());
+        pad();
     }
 
     /// Keeps only the particles for which keep[i] is true.
@@ -127,10 +127,11 @@ public:
             if (keep[static_cast<std::size_t>(i)])
                 order.push_back(static_cast<std::uint32_t>(i));
         reorder(order, 1);
-        ids.resize(order.size());
-        for (int k = 0; k < component_total; ++k)
-            std::fill(column(k) + n, column(k) + step, Real(0));
     }
+
+    /// Pair loops load whole packs, also beyond the last particle. What they find there is masked, but must be legal
+    /// numbers in any formula (a density of zero is not): copies of the last particle. To be called after writing.
+    void pad() { pad(values); }
 
     // ---- the sorted copy through which others see a phase that keeps its reference order ----
     /// Copies components [first, first + count) into the copy, in the order of the cell table.
@@ -142,6 +143,7 @@ public:
             for (std::size_t i = 0; i < image_order.size(); ++i)
                 to[i] = from[image_order[i]];
         });
+        pad(image);
     }
     search::Points<dim, Real> image_points() const {
         search::Points<dim, Real> p;
@@ -168,6 +170,15 @@ private:
         constexpr std::size_t line = 64 / sizeof(Real);
         std::size_t lines = (static_cast<std::size_t>(count) + 64) / line + 1;
         return (lines | 1) * line;
+    }
+    void pad(AlignedVector<Real>& columns) {
+        constexpr int lanes = 64 / sizeof(Real);
+        if (n == 0)
+            return;
+        for (int k = 0; k < component_total; ++k) {
+            Real* end = columns.data() + static_cast<std::size_t>(k) * step + n;
+            std::fill_n(end, lanes, end[-1]);
+        }
     }
     int n = 0;
     std::size_t step = 0;

@@ -2,7 +2,7 @@
 // its own runs in a fixed order and nobody else writes there, so threads never race and never change a bit.
 #pragma once
 
-#include "state.hpp"
+#include <imbibe/solver/state.hpp>
 
 namespace imbibe::detail {
 

@@ -1,0 +1,55 @@
+// The straight round cylinder with flat ends, in three dimensions.
+#pragma once
+
+#include <imbibe/geometry/shape.hpp>
+
+#include <numbers>
+
+namespace imbibe {
+
+/// All points within `radius` of the line that runs from `start` for `length` along `axis` (lengths in m; the length
+/// of `axis` itself does not matter). Ends and mantle belong to it.
+class Cylinder {
+public:
+    /// Throws Error unless all numbers are finite, radius and length > 0 m and the axis not zero.
+    Cylinder(const Point<3>& start, const Point<3>& axis, double radius, double length)
+        : start_{start}, axis_{axis}, radius_{radius}, length_{length} {
+        detail::require_finite<3>("Cylinder", "start", start);
+        detail::require_finite<3>("Cylinder", "axis", axis);
+        require(axis.norm() > 0, "Cylinder: axis = ", point_text<3>(axis),
+                " must not be zero. Give any vector along the cylinder.");
+        detail::require_positive("Cylinder", "radius", radius, "Give the radius in metres.");
+        detail::require_positive("Cylinder", "length", length, "Give the length in metres; turn the axis instead.");
+        axis_.normalize();
+    }
+
+    [[nodiscard]] const Point<3>& start() const { return start_; } ///< centre of the first end, m
+    [[nodiscard]] const Point<3>& axis() const { return axis_; }   ///< unit vector along the cylinder
+    [[nodiscard]] double radius() const { return radius_; }        ///< m
+    [[nodiscard]] double length() const { return length_; }        ///< m
+
+    /// pi r^2 L, m^3.
+    [[nodiscard]] double volume() const { return std::numbers::pi * radius_ * radius_ * length_; }
+
+    /// Whether the point is in the cylinder or on its surface.
+    [[nodiscard]] bool contains(const Point<3>& point) const {
+        const Point<3> offset = point - start_;
+        const double along = offset.dot(axis_);
+        return along >= 0 && along <= length_ && (offset - along * axis_).squaredNorm() <= radius_ * radius_;
+    }
+
+    /// The tightest axis-aligned box: each end disc reaches r sqrt(1 - a_i^2) along coordinate i.
+    [[nodiscard]] Box<3> bounds() const {
+        const Point<3> end = start_ + length_ * axis_;
+        const Point<3> reach = radius_ * (1.0 - axis_.array().square()).max(0.0).sqrt().matrix();
+        return Box<3>{start_.cwiseMin(end) - reach, start_.cwiseMax(end) + reach};
+    }
+
+private:
+    Point<3> start_;
+    Point<3> axis_;
+    double radius_;
+    double length_;
+};
+
+} // namespace imbibe

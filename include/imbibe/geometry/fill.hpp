@@ -1,0 +1,131 @@
+// Fills shapes with particles on a square or cubic lattice: at the centres of cells, or at the nodes.
+#pragma once
+
+#include <imbibe/geometry/shape.hpp>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace imbibe {
+
+namespace detail {
+
+/// More lattice points than this in the bounds of a shape are taken for a mistake in the units.
+inline constexpr double most_lattice_points = 4e9;
+
+/// How far, in spacings, a lattice point may be from a face and count as lying on it.
+inline constexpr double on_the_face = 1e-6;
+
+/// The lattice points anchor + (i + shift) spacing near the bounds for which `inside(point)` holds; x runs fastest.
+template <int dim, class Inside>
+std::vector<Point<dim>> lattice_points(const char* who, const Box<dim>& bounds, double spacing,
+                                       const Point<dim>& anchor, double shift, const Inside& inside) {
+    require(bounds.bounded(), who, ": the shape has no bounds (lower ", point_text<dim>(bounds.lower()), ", upper ",
+            point_text<dim>(bounds.upper()), "). Intersect it with a box: shape & Box.");
+    require_positive(who, "spacing", spacing, "Give the distance between particles in metres.");
+    require_finite<dim>(who, "anchor", anchor);
+    std::array<double, dim> first;
+    std::array<double, dim> last;
+    double count = 1;
+    double farthest = 0;
+    for (int axis = 0; axis < dim; ++axis) {
+        const auto slot = static_cast<std::size_t>(axis);
+        first[slot] = std::floor((bounds.lower()[axis] - anchor[axis]) / spacing - shift) - 1;
+        last[slot] = std::ceil((bounds.upper()[axis] - anchor[axis]) / spacing - shift) + 1;
+        count *= std::max(bounds.size()[axis] / spacing, 1.0);
+        farthest = std::max(
+            {farthest, std::abs(bounds.lower()[axis]), std::abs(bounds.upper()[axis]), std::abs(anchor[axis])});
+    }
+    require(count <= most_lattice_points, who, ": spacing = ", spacing, " m makes about ", count,
+            " lattice points in a box of sides ", point_text<dim>(bounds.size()), "; at most ", most_lattice_points,
+            " are allowed. Give spacing and shape in the same unit, metres.");
+    require(spacing >= 1e-9 * farthest, who, ": spacing = ", spacing, " m is too fine ", farthest,
+            " m away from the origin for double precision; it must be >= ", 1e-9 * farthest,
+            " m. Move the shape nearer to the origin.");
+
+    std::vector<Point<dim>> points;
+    std::array<double, dim> index = first;
+    for (;;) {
+        Point<dim> point;
+        for (int axis = 0; axis < dim; ++axis) // from the index, not by adding up, so that round-off cannot grow
+            point[axis] = anchor[axis] + (index[static_cast<std::size_t>(axis)] + shift) * spacing;
+        if (inside(point))
+            points.push_back(point);
+        std::size_t axis = 0;
+        while (axis < dim && (index[axis] += 1) > last[axis]) {
+            index[axis] = first[axis];
+            ++axis;
+        }
+        if (axis == dim)
+            break;
+    }
+    require(!points.empty(), who, ": no lattice point of spacing ", spacing,
+            " m lies in the shape, whose box has sides ", point_text<dim>(bounds.size()),
+            ". Take a smaller spacing, or check that both are in metres and that the shape is not cut away.");
+    return points;
+}
+
+} // namespace detail
+
+/// Particle positions (m) at the centres of the cells of a lattice: anchor + (i + 1/2) spacing, all of them that lie
+/// in the shape. Each stands for a volume spacing^dim. x runs fastest, the last coordinate slowest.
+///
+/// Two shapes that share a face and a lattice (same spacing, anchors a whole number of spacings apart) never both get
+/// a point, and never both miss it: a point on a face goes to the shape on the side of larger coordinates, also where
+/// round-off puts it a little off the face. So a box is filled as [lower, upper), and `a - b` with `a & b` is `a`.
+///
+/// Throws Error if the spacing is not finite and > 0 m, the shape is unbounded, more than 4e9 or no points result, or
+/// the spacing is below 1e-9 of the distance from the origin.
+template <AnyShape S>
+[[nodiscard]] std::vector<Point<shape_dimension<S>>> fill(const S& shape, double spacing,
+                                                          const Point<shape_dimension<S>>& anchor) {
+    constexpr int dim = shape_dimension<S>;
+    // A tie is decided by looking a little further along every axis, further than round-off reaches. The unequal parts
+    // keep the step from running along a slanted face.
+    Point<dim> nudge;
+    for (int axis = 0; axis < dim; ++axis)
+        nudge[axis] = detail::on_the_face * spacing * std::pow(0.618, axis);
+    return detail::lattice_points<dim>("fill", shape.bounds(), spacing, anchor, 0.5,
+                                       [&](const Point<dim>& point) { return shape.contains(point + nudge); });
+}
+
+/// The same with the lattice starting in the lower corner of the shape's bounds: a box whose sides are whole numbers
+/// of spacings gets a first layer half a spacing inside every face.
+template <AnyShape S>
+[[nodiscard]] std::vector<Point<shape_dimension<S>>> fill(const S& shape, double spacing) {
+    return fill(shape, spacing, shape.bounds().lower());
+}
+
+/// Particle positions (m) at the nodes of a lattice: anchor + i spacing, all of them that lie in the shape or within
+/// 1e-6 spacings of its surface. So a box gets points on all its faces, n + 1 along a side of n spacings, and a pore
+/// keeps the points on its wall. Shapes that share a face both get the points on it.
+///
+/// Throws Error as fill() does.
+template <AnyShape S>
+[[nodiscard]] std::vector<Point<shape_dimension<S>>> fill_nodes(const S& shape, double spacing,
+                                                                const Point<shape_dimension<S>>& anchor) {
+    constexpr int dim = shape_dimension<S>;
+    const double reach = detail::on_the_face * spacing;
+    const auto inside = [&](const Point<dim>& point) {
+        if (shape.contains(point))
+            return true;
+        for (unsigned corner = 0; corner < (1u << dim); ++corner) {
+            Point<dim> near = point;
+            for (int axis = 0; axis < dim; ++axis)
+                near[axis] += corner >> axis & 1u ? reach : -reach;
+            if (shape.contains(near))
+                return true;
+        }
+        return false;
+    };
+    return detail::lattice_points<dim>("fill_nodes", shape.bounds(), spacing, anchor, 0.0, inside);
+}
+
+/// The same with a node in the lower corner of the shape's bounds.
+template <AnyShape S>
+[[nodiscard]] std::vector<Point<shape_dimension<S>>> fill_nodes(const S& shape, double spacing) {
+    return fill_nodes(shape, spacing, shape.bounds().lower());
+}
+
+} // namespace imbibe

@@ -1,0 +1,151 @@
+// How wide a sponge really is open: the largest ball that finds a way through it.
+#pragma once
+
+#include <imbibe/geometry/shape.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace imbibe {
+
+namespace detail {
+
+/// Replaces f[i] by min_j (f[j] + (i - j)^2) along one line: the lower envelope of parabolas, one pass each way
+/// (Felzenszwalb and Huttenlocher 2012). Applied along every axis in turn it gives squared distances.
+inline void spread_distance(std::vector<double>& line, std::vector<double>& values, std::vector<double>& starts,
+                            std::vector<std::size_t>& roots) {
+    const std::size_t n = line.size();
+    values = line;
+    starts.assign(n + 1, 0.0);
+    roots.assign(n, 0);
+    const auto meet = [&](std::size_t p, std::size_t q) { // where the parabola of q gets below that of p < q
+        const double a = static_cast<double>(p);
+        const double b = static_cast<double>(q);
+        return ((values[q] - values[p]) / (b - a) + a + b) / 2;
+    };
+    std::size_t top = 0;
+    starts[0] = -1e30;
+    for (std::size_t q = 1; q < n; ++q) {
+        double start = meet(roots[top], q);
+        while (start <= starts[top])
+            start = meet(roots[--top], q);
+        roots[++top] = q;
+        starts[top] = start;
+    }
+    std::size_t piece = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        while (piece < top && starts[piece + 1] < static_cast<double>(i))
+            ++piece;
+        const double offset = static_cast<double>(i) - static_cast<double>(roots[piece]);
+        line[i] = values[roots[piece]] + offset * offset;
+    }
+}
+
+} // namespace detail
+
+/// The diameter (m) of the largest ball that can travel through the gaps of a solid shape, from the low to the high
+/// face of its bounds along `axis`, without touching the solid; 0 if no gap leads through. What lies outside the
+/// bounds counts as open.
+///
+/// Found on a lattice of cells of about `cell` metres: distance of every open cell to the solid, then cells joined
+/// from the widest down until the two faces are connected. Right within one and a half cells: up to one too wide,
+/// because distances run between centres of cells, and up to one and a half too narrow where the middle of a pore lies
+/// between them. Takes about 25 bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of
+/// range or more than 1e8 cells result.
+template <AnyShape S>
+[[nodiscard]] double widest_passage(const S& solid, int axis, double cell) {
+    constexpr int dim = shape_dimension<S>;
+    detail::require_positive("widest_passage", "cell", cell, "Take about a tenth of the pore's width.");
+    require(axis >= 0 && axis < dim, "widest_passage: axis = ", axis, " must be from 0 to ", dim - 1, ".");
+    const Box<dim> box = solid.bounds();
+    require(box.bounded(), "widest_passage: the shape has no bounds. Intersect it with a box: shape & Box.");
+
+    std::array<std::size_t, dim> cells;
+    std::array<std::size_t, dim> stride;
+    double total = 1;
+    for (int k = 0; k < dim; ++k)
+        total *= std::ceil(box.size()[k] / cell - 1e-6);
+    require(total <= 1e8, "widest_passage: cell = ", cell, " m makes ", total,
+            " cells; at most 1e8 are allowed. Take a larger cell, or a smaller piece of the sponge.");
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < dim; ++k) {
+        cells[k] = static_cast<std::size_t>(std::max(std::ceil(box.size()[static_cast<int>(k)] / cell - 1e-6), 1.0));
+        stride[k] = count;
+        count *= cells[k];
+    }
+    const auto index_along = [&](std::size_t id, std::size_t k) { return id / stride[k] % cells[k]; };
+
+    constexpr double far = 1e15; // squared cells; stands for "no solid on this line"
+    std::vector<double> distance(
+        count); // squared, in cells, from the centre of a cell to that of the nearest solid one
+    for (std::size_t id = 0; id < count; ++id) {
+        Point<dim> centre;
+        for (std::size_t k = 0; k < dim; ++k) {
+            const auto n = static_cast<int>(k);
+            centre[n] = box.lower()[n] +
+                        (static_cast<double>(index_along(id, k)) + 0.5) * box.size()[n] / static_cast<double>(cells[k]);
+        }
+        distance[id] = solid.contains(centre) ? 0.0 : far;
+    }
+    std::vector<double> line, values, starts;
+    std::vector<std::size_t> roots;
+    for (std::size_t k = 0; k < dim; ++k) {
+        line.resize(cells[k]);
+        for (std::size_t id = 0; id < count; ++id) {
+            if (index_along(id, k) != 0)
+                continue;
+            for (std::size_t i = 0; i < cells[k]; ++i)
+                line[i] = distance[id + i * stride[k]];
+            detail::spread_distance(line, values, starts, roots);
+            for (std::size_t i = 0; i < cells[k]; ++i)
+                distance[id + i * stride[k]] = line[i];
+        }
+    }
+
+    // Join open cells in the order of their distance, widest first, until one group touches both faces.
+    std::vector<std::uint32_t> order;
+    for (std::size_t id = 0; id < count; ++id)
+        if (distance[id] > 0)
+            order.push_back(static_cast<std::uint32_t>(id));
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance[a] > distance[b]; });
+    const auto inlet = static_cast<std::uint32_t>(count);
+    const std::uint32_t outlet = inlet + 1;
+    std::vector<std::uint32_t> parent(count + 2);
+    std::iota(parent.begin(), parent.end(), std::uint32_t{0});
+    const auto group = [&](std::uint32_t id) {
+        while (parent[id] != id)
+            id = parent[id] = parent[parent[id]];
+        return id;
+    };
+    std::vector<bool> open(count, false);
+    const auto along = static_cast<std::size_t>(axis);
+    for (const std::uint32_t id : order) {
+        open[id] = true;
+        for (std::size_t k = 0; k < dim; ++k) {
+            const std::size_t i = index_along(id, k);
+            if (i > 0 && open[id - stride[k]])
+                parent[group(static_cast<std::uint32_t>(id - stride[k]))] = group(id);
+            if (i + 1 < cells[k] && open[id + stride[k]])
+                parent[group(static_cast<std::uint32_t>(id + stride[k]))] = group(id);
+        }
+        if (index_along(id, along) == 0)
+            parent[group(inlet)] = group(id);
+        if (index_along(id, along) + 1 == cells[along])
+            parent[group(outlet)] = group(id);
+        if (group(inlet) == group(outlet)) {
+            const double width = 2 * std::sqrt(distance[id]) * cell;
+            double widest = box.size().maxCoeff();
+            for (int k = 0; k < dim; ++k)
+                if (k != axis)
+                    widest = std::min(widest, box.size()[k]);
+            return std::min(width, widest);
+        }
+    }
+    return 0;
+}
+
+} // namespace imbibe

@@ -1,0 +1,100 @@
+// A shape moved, turned or enlarged.
+#pragma once
+
+#include <imbibe/geometry/shape.hpp>
+
+#include <Eigen/Geometry>
+
+namespace imbibe {
+
+/// A shape seen through p -> turn * (p - about) * factor + about + shift. Made by translated(), rotated(), scaled().
+template <AnyShape S>
+class Transformed {
+public:
+    static constexpr int dim = shape_dimension<S>;
+    using Matrix = Eigen::Matrix<double, dim, dim, Eigen::DontAlign>;
+
+    /// The shape turned by the rotation matrix `turn`, enlarged by `factor` about `about` and moved by `shift` (m).
+    Transformed(const S& shape, const Matrix& turn, double factor, const Point<dim>& about, const Point<dim>& shift)
+        : shape_{shape}, turn_{turn}, factor_{factor}, about_{about}, shift_{shift} {}
+
+    /// Whether the shape contains the point's place before the transformation.
+    [[nodiscard]] bool contains(const Point<dim>& point) const {
+        return shape_.contains(about_ + turn_.transpose() * (point - about_ - shift_) / factor_);
+    }
+
+    /// The box round the transformed corners of the shape's box: tight for boxes, not for a turned ball.
+    [[nodiscard]] Box<dim> bounds() const {
+        const Box<dim> before = shape_.bounds();
+        if (turn_ == Matrix::Identity() && before.bounded())
+            return Box<dim>{image(before.lower()), image(before.upper())};
+        if (!before.bounded()) // a bound at infinity times a zero of the matrix has no value
+            return Box<dim>::everywhere();
+        Point<dim> lower = image(before.lower());
+        Point<dim> upper = lower;
+        for (unsigned corner = 1; corner < (1u << dim); ++corner) {
+            Point<dim> place = before.lower();
+            for (int axis = 0; axis < dim; ++axis)
+                if (corner >> axis & 1u)
+                    place[axis] = before.upper()[axis];
+            lower = lower.cwiseMin(image(place)).eval();
+            upper = upper.cwiseMax(image(place)).eval();
+        }
+        return Box<dim>{lower, upper};
+    }
+
+private:
+    [[nodiscard]] Point<dim> image(const Point<dim>& point) const {
+        return about_ + turn_ * (point - about_) * factor_ + shift_;
+    }
+
+    S shape_;
+    Matrix turn_;
+    double factor_;
+    Point<dim> about_;
+    Point<dim> shift_;
+};
+
+/// The shape moved by `shift` (m). Throws Error unless it is finite.
+template <AnyShape S>
+[[nodiscard]] Transformed<S> translated(const S& shape, const Point<shape_dimension<S>>& shift) {
+    constexpr int dim = shape_dimension<S>;
+    detail::require_finite<dim>("translated", "shift", shift);
+    return {shape, Transformed<S>::Matrix::Identity(), 1.0, Point<dim>::Zero(), shift};
+}
+
+/// The 2D shape turned anticlockwise by `angle` (radian) about a point (m). Throws Error unless all is finite.
+template <AnyShape S>
+requires(shape_dimension<S> == 2)
+    [[nodiscard]] Transformed<S> rotated(const S& shape, double angle, const Point<2>& about = Point<2>::Zero()) {
+    require(std::isfinite(angle), "rotated: angle = ", angle, " rad must be finite. Give the angle in radians.");
+    detail::require_finite<2>("rotated", "about", about);
+    return {shape, Eigen::Rotation2Dd{angle}.toRotationMatrix(), 1.0, about, Point<2>::Zero()};
+}
+
+/// The 3D shape turned by `angle` (radian, right hand) round the line through `about` (m) along `axis`.
+/// Throws Error unless all is finite and the axis not zero.
+template <AnyShape S>
+requires(shape_dimension<S> == 3)
+    [[nodiscard]] Transformed<S> rotated(const S& shape, double angle, const Point<3>& axis,
+                                         const Point<3>& about = Point<3>::Zero()) {
+    require(std::isfinite(angle), "rotated: angle = ", angle, " rad must be finite. Give the angle in radians.");
+    detail::require_finite<3>("rotated", "axis", axis);
+    detail::require_finite<3>("rotated", "about", about);
+    require(axis.norm() > 0, "rotated: axis = ", point_text<3>(axis),
+            " must not be zero. Give any vector along the axis of rotation.");
+    return {shape, Eigen::AngleAxisd{angle, axis.normalized()}.toRotationMatrix(), 1.0, about, Point<3>::Zero()};
+}
+
+/// The shape enlarged by `factor` (1) about a point (m). Throws Error unless the factor is finite and > 0.
+template <AnyShape S>
+[[nodiscard]] Transformed<S> scaled(const S& shape, double factor,
+                                    const Point<shape_dimension<S>>& about = Point<shape_dimension<S>>::Zero()) {
+    constexpr int dim = shape_dimension<S>;
+    require(std::isfinite(factor) && factor > 0, "scaled: factor = ", factor,
+            " (no unit) must be finite and > 0. 0.5 halves every length, 1e-3 turns millimetres into metres.");
+    detail::require_finite<dim>("scaled", "about", about);
+    return {shape, Transformed<S>::Matrix::Identity(), factor, about, Point<dim>::Zero()};
+}
+
+} // namespace imbibe

@@ -1,0 +1,101 @@
+// Files that are either there as a whole or not at all, and the check before a run that they can be written.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace imbibe {
+
+/// A file that appears under its name only when it is complete. Everything is written to `<path>.tmp` beside it, and
+/// commit() gives that its name in one step; a reader, or a run that is killed half-way, finds the previous file or
+/// the new one, never half of one. Without commit() (an exception, a full disk) the earlier file stays as it was.
+/// It guards against the end of the program, not of the power supply: nothing forces the disk's cache to be emptied.
+class AtomicFile {
+public:
+    /// Opens `<path>.tmp`. Throws Error if that cannot be done.
+    explicit AtomicFile(std::filesystem::path path)
+        : path_(std::move(path)), temporary_(path_.string() + ".tmp"), out_(temporary_, std::ios::binary) {
+        require(out_.is_open(), "cannot write ", path_.string(),
+                ": the file cannot be opened; check that its folder exists and may be written by you");
+    }
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    ~AtomicFile() {
+        if (committed_)
+            return;
+        out_.close();
+        std::error_code ignored;
+        std::filesystem::remove(temporary_, ignored);
+    }
+
+    /// Appends text.
+    AtomicFile& operator<<(std::string_view words) {
+        write(words.data(), words.size());
+        return *this;
+    }
+    /// Appends `bytes` bytes. Throws Error when they cannot be written.
+    void write(const void* data, std::size_t bytes) {
+        out_.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
+        check();
+    }
+
+    /// Empties the buffers and gives the file its name. Throws Error when the last bytes cannot be written.
+    void commit() {
+        out_.close();
+        check();
+        std::error_code error;
+        std::filesystem::rename(temporary_, path_, error);
+        require(!error, "cannot give ", temporary_.string(), " its name ", path_.string(), ": ", error.message());
+        committed_ = true;
+    }
+
+private:
+    void check() const {
+        if (out_.good())
+            return;
+        std::error_code error;
+        const auto space = std::filesystem::space(path_.has_parent_path() ? path_.parent_path() : ".", error);
+        throw Error(
+            text("cannot write ", path_.string(), ": the disk refused it",
+                 error ? "" : text(" (", static_cast<double>(space.available) / 1e6, " MB free)"),
+                 ". Earlier files are whole; free space there or choose another folder, then continue the run"));
+    }
+
+    std::filesystem::path path_, temporary_;
+    std::ofstream out_;
+    bool committed_ = false;
+};
+
+/// Creates `folder` (and those above it) if need be and writes a small file there, which it removes again. To be called
+/// before a run, so that hours of work are not lost at the first snapshot. Throws Error naming the folder, the cause
+/// and the remedy.
+inline void require_writable(const std::filesystem::path& folder) {
+    const char* remedy = "; choose another output folder, or change who may write there";
+    require(!folder.empty(), "the output folder has no name; choose one, for example \"out\"");
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    require(std::filesystem::is_directory(folder), "cannot create the output folder ", folder.string(), ": ",
+            error ? error.message() : "something else has that name", remedy);
+
+    const auto trial = folder / ".imbibe_write_test";
+    const std::string words(4096, 'x');
+    bool written = false;
+    {
+        std::ofstream out(trial, std::ios::binary);
+        out << words;
+        out.close();
+        written = out.good();
+    }
+    std::filesystem::remove(trial, error);
+    require(written, "cannot write into the output folder ", folder.string(),
+            ": a test file of 4 kB could not be written there", remedy);
+}
+
+} // namespace imbibe

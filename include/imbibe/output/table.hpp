@@ -1,0 +1,120 @@
+// Tables of numbers over time as CSV files that spreadsheets, pandas and tools/plot_curves.py read.
+#pragma once
+
+#include <imbibe/output/file.hpp>
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace imbibe {
+
+/// What one column of a table holds.
+struct Column {
+    std::string name;
+    /// Its SI unit; empty for a pure number.
+    std::string unit = {};
+};
+
+/// A CSV file that grows by one row at a time. The first line names the columns as `name [unit]`; every row is on disk
+/// when row() returns, and numbers have as many digits as it takes to read the same double back.
+/// ```
+/// Table table("out/sponge.csv", {{"time", "s"}, {"mean displacement", "m"}});
+/// table.row({0.005, 4.3e-4});
+/// ```
+class Table {
+public:
+    /// Starts the file anew. Throws Error if it cannot be written, or for a column with no name, a name twice, or a
+    /// line break or quotation mark in it.
+    Table(std::filesystem::path path, std::vector<Column> columns) : Table(std::move(path), std::move(columns), false) {
+        write(first_line(columns_) + "\n");
+    }
+
+    /// Continues the file of an earlier run, as after a restart: keeps its first `rows` rows and drops what follows.
+    /// Throws Error if it has other columns or fewer rows.
+    static Table resume(std::filesystem::path path, std::vector<Column> columns, std::size_t rows) {
+        const auto expected = first_line(columns);
+        std::string kept, line;
+        std::ifstream in(path, std::ios::binary);
+        require(static_cast<bool>(std::getline(in, line)) && line == expected, "cannot continue the table ",
+                path.string(), ": its first line is '", line, "' where this run writes '", expected, "'");
+        std::size_t found = 0;
+        for (kept = line + "\n"; found < rows && std::getline(in, line) && !in.eof(); ++found)
+            kept += line + "\n";
+        require(found == rows, "cannot continue the table ", path.string(), " after ", rows, " rows: it has ", found);
+        in.close();
+        AtomicFile whole(path);
+        whole << kept;
+        whole.commit();
+        return Table(std::move(path), std::move(columns), true);
+    }
+
+    /// Appends one row. Throws Error unless it has one number for each column, and when the disk refuses it; the rows
+    /// before it stay.
+    void row(std::span<const double> values) {
+        require(values.size() == columns_.size(), "table ", path_.string(), ": a row has ", values.size(),
+                " numbers for ", columns_.size(), " columns");
+        std::string line;
+        for (const double value : values) {
+            std::array<char, 32> digits{};
+            const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+            if (!line.empty())
+                line += ',';
+            line.append(digits.data(), end);
+        }
+        write(line + "\n");
+    }
+    /// Appends one row.
+    void row(std::initializer_list<double> values) { row(std::span<const double>(values.begin(), values.size())); }
+
+    /// The columns, in order.
+    [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
+
+private:
+    Table(std::filesystem::path path, std::vector<Column> columns, bool append)
+        : path_(std::move(path)), columns_(std::move(columns)) {
+        require(!columns_.empty(), "table ", path_.string(), ": it has no columns");
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const auto& [name, unit] = columns_[i];
+            require(!name.empty() && (name + unit).find_first_of("\"\r\n[]") == std::string::npos, "table ",
+                    path_.string(), ": '", name, " [", unit,
+                    "]' cannot head a column; a name must not be empty or contain \" [ ] or a line break");
+            for (std::size_t j = 0; j < i; ++j)
+                require(columns_[j].name != name, "table ", path_.string(), ": two columns are called ", name);
+        }
+        out_.open(path_, append ? std::ios::binary | std::ios::app : std::ios::binary);
+        require(out_.is_open(), "cannot write the table ", path_.string(),
+                ": the file cannot be opened; check that its folder exists and may be written by you");
+    }
+
+    static std::string first_line(const std::vector<Column>& columns) {
+        std::string line;
+        for (const auto& [name, unit] : columns) {
+            const bool quoted = (name + unit).find(',') != std::string::npos;
+            line.append(line.empty() ? "" : ",").append(quoted ? "\"" : "").append(name);
+            if (!unit.empty())
+                line.append(" [").append(unit).append("]");
+            line.append(quoted ? "\"" : "");
+        }
+        return line;
+    }
+    void write(const std::string& line) {
+        out_.write(line.data(), static_cast<std::streamsize>(line.size()));
+        out_.flush();
+        require(out_.good(), "cannot write the table ", path_.string(),
+                ": the disk refused a row; free space there or choose another folder, then continue the run");
+    }
+
+    std::filesystem::path path_;
+    std::vector<Column> columns_;
+    std::ofstream out_;
+};
+
+} // namespace imbibe
