@@ -1,0 +1,22 @@
+# What the tests of this room write, VTK itself reads back: needs a Python with VTK (Debian: python3-vtk9).
+# Another Python may stand before the system's in the search path, so each is asked; if none has VTK the test fails.
+set(output_folder ${CMAKE_CURRENT_BINARY_DIR}/output_files)
+target_compile_definitions(test_output PRIVATE
+    IMBIBE_OUTPUT_TEST_FOLDER="${output_folder}" IMBIBE_TOOLS_DIR="${PROJECT_SOURCE_DIR}/tools")
+
+set(python_with_vtk python3)
+foreach(candidate IN ITEMS $ENV{IMBIBE_PYTHON} python3 /usr/bin/python3)
+    execute_process(COMMAND ${candidate} -c "import vtkmodules, numpy" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+    if(failed STREQUAL "0")
+        set(python_with_vtk ${candidate})
+        break()
+    endif()
+endforeach()
+
+set_tests_properties(output PROPERTIES FIXTURES_SETUP output_files)
+add_test(NAME output_read_vtk
+    COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/read_vtk.py ${output_folder})
+add_test(NAME output_pictures
+    COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/draw_pictures.py ${output_folder})
+set_tests_properties(output_read_vtk output_pictures PROPERTIES
+    LABELS unit TIMEOUT 300 FIXTURES_REQUIRED output_files)
