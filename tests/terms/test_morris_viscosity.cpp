@@ -1,0 +1,132 @@
+// MorrisViscosity and the no-slip wall: the Laplacian of a velocity, balance across phases, the reflected velocity.
+#include "cloud.hpp"
+
+#include <imbibe/wall/no_slip.hpp>
+
+using namespace cloud;
+
+namespace {
+
+using Bed = Wall<>;
+
+Water oil() {
+    return {.density = 900, .sound_speed = 30, .viscosity = 0.03, .support_radius = 4e-3, .spacing = 1e-3};
+}
+Water brine() {
+    return {.density = 1100, .sound_speed = 30, .viscosity = 0.001, .support_radius = 4e-3, .spacing = 1.1e-3};
+}
+Bed bed() {
+    return {.density = 900, .support_radius = 4e-3, .spacing = 1e-3};
+}
+Sponge soft() {
+    return {.density = 950, .sound_speed = 10, .shear_modulus = 1e4, .support_radius = 4e-3, .spacing = 1e-3};
+}
+
+template <int dim>
+void check_laplacian() {
+    auto fluid = block<dim>(oil(), 9, 0);
+    for (auto& p : fluid) {
+        Column<dim> v = Column<dim>::Zero();
+        v[0] = 1e4 * std::pow(plain(p[position])[1] - 4e-3, 2);
+        p.set(velocity, vec<dim>(v));
+    }
+    const auto& centre = fluid[fluid.size() / 2];
+    const Column<dim> force = plain(sum(MorrisViscosity<>{}, centre, fluid));
+    CHECK(force[0] == Approx(0.03 / 900 * 2e4).epsilon(0.02));
+    CHECK(force.template tail<dim - 1>().norm() < 1e-12 * force.norm());
+}
+
+template <int dim>
+void check_balance() {
+    auto fluid = block<dim>(oil(), 3, 0.2, 1), other = block<dim>(brine(), 3, 0.2, 2, Column<dim>::Constant(5e-4));
+    auto wall = block<dim>(soft(), 3, 0.2, 3, Column<dim>::Constant(4e-4));
+    Dice dice(4);
+    for (auto* phase : {&fluid, &other})
+        for (auto& p : *phase)
+            p.set(velocity, dice.vector<dim>(1));
+    for (auto& p : wall)
+        p.set(no_slip_velocity, dice.vector<dim>(1));
+    CHECK(worst_imbalance(MorrisViscosity<>{}, fluid, other) < 1e-14);
+    CHECK(worst_imbalance(NoSlipViscosity<>{}, fluid, wall) < 1e-14);
+    for (const auto& a : fluid)
+        for (const auto& b : fluid)
+            REQUIRE((given(MorrisViscosity<>{}, a, b) + given(MorrisViscosity<>{}, b, a)).norm() == 0);
+    double power = 0;
+    for (const auto& a : fluid)
+        power += plain(a[mass]) * plain(a[velocity]).dot(plain(sum(MorrisViscosity<>{}, a, fluid)));
+    CHECK(power < 0);
+}
+
+template <int dim>
+void check_reflection() {
+    Column<dim> below = Column<dim>::Zero(), U = Column<dim>::Zero();
+    below[1] = -3e-3;
+    U[0] = 0.7;
+    auto fluid = block<dim>(oil(), 3, 0.2, 1);
+    auto wall = block<dim>(bed(), 3, 0.2, 2, below);
+    const Column<dim> moving = Column<dim>::Constant(0.1);
+    for (auto& p : fluid)
+        p.set(velocity, vec<dim>(U));
+    for (auto& p : wall)
+        p.set(velocity, vec<dim>(moving));
+    // one that sees no fluid
+    Column<dim> away = Column<dim>::Constant(-1);
+    wall.push_back(block<dim>(bed(), 1, 0, 1, away).front());
+    wall.back().set(velocity, vec<dim>(moving));
+    for (auto& a : wall) {
+        auto total = Vector<Number<double>, dim>::zero();
+        Number<double> weight = 0;
+        for (const auto& b : fluid) {
+            const auto [w, s] = NoSlipVelocity<>::Sum{}(a, b, geometry<NoSlipVelocity<>::Sum, dim>(a, b));
+            weight += w;
+            total += s;
+        }
+        a.set(no_slip_weight, weight).set(no_slip_sum, total);
+        const Column<dim> shown = plain(NoSlipVelocity<>::Reflect{}(a));
+        const Column<dim> expected = plain(weight) > 0 ? Column<dim>(2 * moving - U) : moving;
+        CHECK((shown - expected).norm() < 1e-14);
+    }
+    CHECK(plain(wall.front()[no_slip_weight]) > 0);
+    CHECK(plain(wall.back()[no_slip_weight]) == 0);
+}
+
+} // namespace
+
+TEST_CASE("MorrisViscosity is eta/rho times the Laplacian, with the sign that slows") {
+    check_laplacian<2>();
+    check_laplacian<3>();
+}
+
+TEST_CASE("MorrisViscosity and NoSlipViscosity: equal and opposite, and they take energy") {
+    check_balance<2>();
+    check_balance<3>();
+}
+
+TEST_CASE("a wall or a solid shows the viscosity of the fluid it touches, unless it has its own") {
+    const Water fluid = oil();
+    Bed wall = bed();
+    CHECK(imbibe::detail::viscosity_sum(fluid, wall) == 0.06);
+    CHECK(imbibe::detail::viscosity_sum(wall, fluid) == 0.06);
+    CHECK(imbibe::detail::viscosity_sum(fluid, soft()) == 0.06);
+    CHECK(imbibe::detail::viscosity_sum(soft(), fluid) == 0.06);
+    CHECK(imbibe::detail::viscosity_sum(fluid, brine()) == Approx(0.031));
+    wall.viscosity = 0.01;
+    CHECK(imbibe::detail::viscosity_sum(fluid, wall) == Approx(0.04));
+    Water inviscid = oil();
+    inviscid.viscosity = 0;
+    CHECK(imbibe::detail::viscosity_sum(inviscid, brine()) == 0.001);
+}
+
+TEST_CASE("NoSlipVelocity reflects the fluid's velocity about the wall's") {
+    check_reflection<2>();
+    check_reflection<3>();
+}
+
+TEST_CASE("the limit of MorrisViscosity is 0.036 H^2/nu, and infinite without viscosity") {
+    const TimeStepInput in{4e-3, 1e-3, 1, 1, 3};
+    CHECK(MorrisViscosity<>::time_step_limit(oil(), in) == Approx(16e-6 / (28 * 0.03 / 900)).epsilon(1e-4));
+    CHECK(MorrisViscosity<>::time_step_limit(oil(), bed(), in) == Approx(16e-6 / (28 * 0.03 / 900)).epsilon(1e-4));
+    Water inviscid = oil();
+    inviscid.viscosity = 0;
+    CHECK(std::isinf(MorrisViscosity<>::time_step_limit(inviscid, in)));
+}

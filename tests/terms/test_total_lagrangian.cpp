@@ -1,0 +1,436 @@
+// The total-Lagrangian solid: patch test, rotations, energy, momentum, laws in closed form, hourglass modes, damping.
+#include "cloud.hpp"
+
+#include <imbibe/solid/total_lagrangian.hpp>
+
+#include <Eigen/Dense>
+
+using namespace cloud;
+
+namespace {
+
+Sponge foam() {
+    return {.density = 950, .sound_speed = 10, .shear_modulus = 2.7e4, .support_radius = 2.6e-3, .spacing = 1e-3};
+}
+double lambda() {
+    return 950 * 100 - 2 * 2.7e4 / 3;
+}
+
+template <int dim>
+using Body = Cloud<dim, Sponge>;
+
+template <int dim>
+void correct(Body<dim>& body) {
+    gather(ReferenceCorrection<>::Moments{}, moment_matrix, body, body);
+    prepare(ReferenceCorrection<>::Invert{}, gradient_correction, body);
+}
+template <int dim>
+Body<dim> jittered(int n, unsigned seed = 1) {
+    auto body = block<dim>(foam(), n, 0.2, seed);
+    correct(body);
+    return body;
+}
+/// A matrix that is nobody's special case, near the identity.
+template <int dim>
+Matrix<dim> some_gradient() {
+    Matrix<dim> F;
+    if constexpr (dim == 2)
+        F << 1.2, 0.3, -0.1, 0.9;
+    else
+        F << 1.2, 0.3, -0.1, 0.15, 0.9, 0.2, -0.25, 0.05, 1.1;
+    return F;
+}
+template <int dim>
+Matrix<dim> some_rotation() {
+    if constexpr (dim == 2)
+        return Eigen::Rotation2Dd(2.1).toRotationMatrix();
+    else
+        return Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+}
+template <int dim>
+void deform(Body<dim>& body) {
+    prepare(Displacement{}, displacement, body);
+    gather(DeformationGradient<>::Sum{}, raw_displacement_gradient, body, body);
+    prepare(DeformationGradient<>::Correct{}, deformation_gradient, body);
+}
+template <int dim>
+void move_affinely(Body<dim>& body, const Matrix<dim>& F) {
+    for (auto& p : body)
+        p.set(position, vec<dim>(Column<dim>::Constant(7e-3) + F * plain(p[reference_position])));
+    deform(body);
+}
+template <int dim, class Law = StVenantKirchhoff>
+void stress(Body<dim>& body) {
+    prepare(Law{}, first_piola_stress, body);
+    prepare(TotalLagrangianForce<>::Prepare{}, corrected_piola_stress, body);
+}
+template <int dim>
+void shake(Body<dim>& body, double size, unsigned seed = 9) {
+    Dice dice(seed);
+    for (auto& p : body)
+        p.set(position, p[reference_position] + dice.vector<dim>(size));
+    deform(body);
+}
+
+template <int dim>
+void check_patch() {
+    auto body = jittered<dim>(dim == 2 ? 7 : 5);
+    const Matrix<dim> F = some_gradient<dim>();
+    move_affinely(body, F);
+    double worst = 0, uncorrected = 0;
+    for (const auto& p : body) {
+        worst = std::max(worst, (plain(p[deformation_gradient]) - F).norm());
+        uncorrected =
+            std::max(uncorrected, (plain(p[raw_displacement_gradient]) - (F - Matrix<dim>::Identity())).norm());
+    }
+    CHECK(worst < 1e-12);
+    CHECK(uncorrected > 0.1); // it is the correction that does it
+    // the uniform stress of an affine motion gives the inside no force
+    stress(body);
+    double edge = 0, inside = 1e300;
+    for (const auto& p : body) {
+        const double f = plain(sum(TotalLagrangianForce<>::Push{}, p, body)).norm();
+        edge = std::max(edge, f);
+        inside = std::min(inside, f);
+    }
+    CHECK(inside < 0.1 * edge);
+}
+
+template <int dim, class Law>
+void check_rotation() {
+    auto body = jittered<dim>(4);
+    move_affinely(body, some_rotation<dim>());
+    stress<dim, Law>(body);
+    for (const auto& p : body) {
+        CHECK(plain(p[first_piola_stress]).norm() < 1e-11 * 2.7e4);
+        // P/(rho H), the size of a force per mass, times round-off
+        CHECK(plain(sum(TotalLagrangianForce<>::Push{}, p, body)).norm() < 1e-10 * 2.7e4 / (950 * 2.6e-3));
+    }
+}
+
+template <int dim, class Law>
+void check_momentum() {
+    auto body = jittered<dim>(4);
+    shake(body, 1e-4);
+    stress<dim, Law>(body);
+    for (const auto& a : body)
+        for (const auto& b : body)
+            REQUIRE(
+                (given(TotalLagrangianForce<>::Push{}, a, b) + given(TotalLagrangianForce<>::Push{}, b, a)).norm() ==
+                0); // equal masses: to the last bit
+    Matrix<dim> moment = Matrix<dim>::Zero();
+    double scale = 0;
+    for (const auto& p : body) {
+        const Column<dim> x = plain(p[position]), f = plain(sum(TotalLagrangianForce<>::Push{}, p, body));
+        moment += x * f.transpose() - f * x.transpose();
+        scale += x.norm() * f.norm();
+    }
+    CHECK(moment.norm() < 1e-12 * scale); // angular momentum
+}
+
+template <int dim>
+double energy_of(const Matrix<dim>& F, StVenantKirchhoff) {
+    const Matrix<dim> E = 0.5 * (F.transpose() * F - Matrix<dim>::Identity());
+    return 0.5 * lambda() * E.trace() * E.trace() + 2.7e4 * (E * E).trace();
+}
+template <int dim>
+double energy_of(const Matrix<dim>& F, NeoHookean) {
+    const double J = F.determinant(), I1 = (F.transpose() * F).trace();
+    return lambda() / 4 * (J * J - 1 - 2 * std::log(J)) + 2.7e4 / 2 * (I1 - dim - 2 * std::log(J));
+}
+
+// The force is minus the derivative of the elastic energy of the whole body.
+template <int dim, class Law>
+void check_energy() {
+    auto body = jittered<dim>(dim == 2 ? 4 : 3);
+    shake(body, 1e-4);
+    stress<dim, Law>(body);
+    const auto energy = [&](const Body<dim>& b) {
+        double total = 0;
+        for (const auto& p : b)
+            total += 1e-3 * (dim == 2 ? 1e-3 : 1e-6) * energy_of<dim>(plain(p[deformation_gradient]), Law{});
+        return total;
+    };
+    double worst = 0;
+    for (const std::size_t k : {std::size_t{0}, body.size() / 2, body.size() - 1})
+        for (int d = 0; d < dim; ++d) {
+            constexpr double small = 1e-8;
+            double side[2];
+            for (const int s : {0, 1}) {
+                auto moved = body;
+                Column<dim> x = plain(body[k][position]);
+                x[d] += s == 0 ? -small : small;
+                moved[k].set(position, vec<dim>(x));
+                deform(moved);
+                side[s] = energy(moved);
+            }
+            const double by_hand = -(side[1] - side[0]) / (2 * small);
+            const auto force = plain(body[k][mass] * sum(TotalLagrangianForce<>::Push{}, body[k], body));
+            worst = std::max(worst, std::abs(force[d] - by_hand) / force.norm());
+        }
+    CHECK(worst < 1e-5);
+}
+
+template <int dim, class Law>
+void check_law_is_derivative_of_energy() {
+    auto body = jittered<dim>(1);
+    auto& p = body.front();
+    const Matrix<dim> F = some_gradient<dim>();
+    p.set(deformation_gradient, tensor<dim>(F));
+    const Matrix<dim> P = plain(Law{}(p));
+    for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j) {
+            Matrix<dim> up = F, down = F;
+            up(i, j) += 1e-6, down(i, j) -= 1e-6;
+            const double slope = (energy_of<dim>(up, Law{}) - energy_of<dim>(down, Law{})) / 2e-6;
+            CHECK(P(i, j) == Approx(slope).epsilon(1e-7).margin(1e-7 * 2.7e4));
+        }
+}
+
+template <int dim>
+void check_hourglass() {
+    auto body = jittered<dim>(dim == 2 ? 5 : 4);
+    const HourglassControl<>::Push hold;
+    move_affinely(body, some_gradient<dim>());
+    const double scale = foam().young_modulus() / (950 * 2.6e-3);
+    for (const auto& p : body)
+        CHECK(plain(sum(hold, p, body)).norm() < 1e-12 * scale);
+    shake(body, 2e-4);
+    CHECK(worst_imbalance(hold, body, body) == 0);
+    Matrix<dim> moment = Matrix<dim>::Zero();
+    double size = 0;
+    for (const auto& p : body) {
+        const Column<dim> x = plain(p[position]), f = plain(sum(hold, p, body));
+        moment += x * f.transpose() - f * x.transpose();
+        size += x.norm() * f.norm();
+    }
+    CHECK(moment.norm() < 1e-13 * size);
+}
+
+// A motion that alternates from particle to particle: the elastic force inside does not see it, the control does.
+template <int dim>
+void check_zigzag() {
+    constexpr int n = 7; // the centre and its neighbours see whole supports
+    auto material = foam();
+    material.support_radius = 1.9e-3;
+    auto body = block<dim>(material, n, 0);
+    correct(body);
+    for (std::size_t k = 0; k < body.size(); ++k) {
+        int parity = 0;
+        for (int d = 0, rest = static_cast<int>(k); d < dim; ++d, rest /= n)
+            parity += rest % n;
+        Column<dim> u = Column<dim>::Zero();
+        u[0] = parity % 2 == 0 ? 1e-6 : -1e-6;
+        body[k].set(position, body[k][reference_position] + vec<dim>(u));
+    }
+    deform(body);
+    stress(body);
+    const auto& centre = body[body.size() / 2];
+    const Column<dim> u = plain(centre[displacement]);
+    const Column<dim> elastic = plain(sum(TotalLagrangianForce<>::Push{}, centre, body));
+    const Column<dim> control = plain(sum(HourglassControl<>::Push{}, centre, body));
+    CHECK(elastic.norm() < 1e-3 * control.norm());
+    CHECK(control.dot(u) < -0.99 * control.norm() * u.norm());
+    // the step it allows is below 2 over this frequency, and of its order
+    const TimeStepInput in{material.support_radius, material.spacing, 0, 0, dim};
+    const double frequency = std::sqrt(-control.dot(u) / u.squaredNorm());
+    const double dt = HourglassControl<>::time_step_limit(material, in, {});
+    CHECK(dt * frequency < 2);
+    CHECK(dt * frequency > 0.5);
+}
+
+template <int dim>
+void check_viscosity() {
+    auto body = jittered<dim>(4);
+    const TotalLagrangianViscosity<>::Push damp;
+    move_affinely(body, some_gradient<dim>());
+    Matrix<dim> spin = some_gradient<dim>();
+    spin = (spin - spin.transpose()).eval();
+    for (auto& p : body)
+        p.set(velocity, vec<dim>(Column<dim>::Constant(3) + spin * plain(p[position])));
+    for (const auto& p : body)
+        CHECK(plain(sum(damp, p, body)).norm() < 1e-9);
+    Dice dice(4);
+    for (auto& p : body)
+        p.set(velocity, dice.vector<dim>(1));
+    CHECK(worst_imbalance(damp, body, body) == 0);
+    double power = 0;
+    for (const auto& p : body)
+        power += plain(p[mass]) * plain(p[velocity]).dot(plain(sum(damp, p, body)));
+    CHECK(power < 0);
+}
+
+// The decay rate of every wave a lattice can carry, against the limit's claim to be 2 over the fastest.
+template <int dim>
+void check_viscosity_limit() {
+    constexpr int n = 7, waves = 6;
+    auto body = block<dim>(foam(), n, 0);
+    const auto centre = body.size() / 2;
+    for (auto& p : body)
+        p.set(displacement, Vector<Number<double>, dim>::zero());
+    double fastest = 0;
+    for (int k = 0; k < (dim == 2 ? waves * waves : waves * waves * waves); ++k) {
+        Column<dim> wave;
+        for (int d = 0, rest = k; d < dim; ++d, rest /= waves)
+            wave[d] = pi * (rest % waves) / (waves - 1) / foam().spacing;
+        Matrix<dim> rates;
+        for (int d = 0; d < dim; ++d) {
+            for (auto& p : body) {
+                const double phase = wave.dot(plain(p[position]) - plain(body[centre][position]));
+                p.set(velocity, vec<dim>(std::cos(phase) * Column<dim>::Unit(d)));
+            }
+            rates.col(d) = -plain(sum(TotalLagrangianViscosity<>::Push{}, body[centre], body));
+        }
+        fastest = std::max(fastest, Eigen::SelfAdjointEigenSolver<Matrix<dim>>(rates).eigenvalues().maxCoeff());
+    }
+    const TimeStepInput in{foam().support_radius, foam().spacing, 0, 0, dim};
+    const double dt = TotalLagrangianViscosity<>::time_step_limit(foam(), in, {});
+    CHECK(dt * fastest < 2);
+    CHECK(dt * fastest > 0.5);
+}
+
+// v_x = y^2 on a lattice: nu times 2.
+template <int dim>
+void check_viscosity_coefficient() {
+    auto material = foam();
+    material.support_radius = 6e-3;
+    auto body = block<dim>(material, 13, 0);
+    for (auto& p : body) {
+        Column<dim> v = Column<dim>::Zero();
+        v[0] = 1e4 * std::pow(plain(p[position])[1] - 6e-3, 2);
+        p.set(velocity, vec<dim>(v)).set(displacement, Vector<Number<double>, dim>::zero());
+    }
+    const double nu = 0.02 * 10 * 6e-3 / (dim == 2 ? 16 : 20);
+    const auto force = plain(sum(TotalLagrangianViscosity<>::Push{}, body[body.size() / 2], body));
+    CHECK(force[0] == Approx(2e4 * nu).epsilon(0.01));
+}
+
+} // namespace
+
+TEST_CASE("patch test: an affine motion of jittered particles gives its own gradient, at corners too") {
+    check_patch<2>();
+    check_patch<3>();
+}
+
+TEST_CASE("a rotation gives no stress and no force") {
+    check_rotation<2, StVenantKirchhoff>();
+    check_rotation<3, StVenantKirchhoff>();
+    check_rotation<2, NeoHookean>();
+    check_rotation<3, NeoHookean>();
+}
+
+TEST_CASE("TotalLagrangianForce conserves linear momentum to the last bit and angular momentum to round-off") {
+    check_momentum<2, StVenantKirchhoff>();
+    check_momentum<3, StVenantKirchhoff>();
+    check_momentum<3, NeoHookean>();
+}
+
+TEST_CASE("TotalLagrangianForce is minus the derivative of the elastic energy") {
+    check_energy<2, StVenantKirchhoff>();
+    check_energy<3, StVenantKirchhoff>();
+    check_energy<2, NeoHookean>();
+    check_energy<3, NeoHookean>();
+}
+
+TEST_CASE("the laws are derivatives of their energies") {
+    check_law_is_derivative_of_energy<2, StVenantKirchhoff>();
+    check_law_is_derivative_of_energy<3, StVenantKirchhoff>();
+    check_law_is_derivative_of_energy<2, NeoHookean>();
+    check_law_is_derivative_of_energy<3, NeoHookean>();
+}
+
+TEST_CASE("StVenantKirchhoff under uniaxial stretch, in closed form, and its true stress") {
+    auto body = block<3>(foam(), 1, 0);
+    auto& p = body.front();
+    for (const double stretch : {0.8, 1.0, 1.3}) {
+        Matrix<3> F = Matrix<3>::Identity();
+        F(0, 0) = stretch;
+        p.set(deformation_gradient, tensor<3>(F));
+        const Matrix<3> P = plain(StVenantKirchhoff{}(p));
+        const double E = 0.5 * (stretch * stretch - 1), mu = 2.7e4;
+        CHECK(P(0, 0) == Approx(stretch * (lambda() + 2 * mu) * E).margin(1e-9));
+        CHECK(P(1, 1) == Approx(lambda() * E).margin(1e-9));
+        CHECK(P(2, 2) == Approx(lambda() * E).margin(1e-9));
+        CHECK(std::abs(P(0, 1)) + std::abs(P(1, 2)) + std::abs(P(2, 0)) == 0);
+        p.set(first_piola_stress, tensor<3>(P));
+        const Matrix<3> sigma = plain(CauchyStress{}(p));
+        CHECK(sigma(0, 0) == Approx(P(0, 0)).margin(1e-9)); // the cross-section has not changed
+        CHECK(sigma(1, 1) == Approx(P(1, 1) / stretch).margin(1e-9));
+    }
+}
+
+TEST_CASE("NeoHookean is Hooke's law for small strains, and pushes back when turned inside out") {
+    auto body = block<2>(foam(), 1, 0);
+    auto& p = body.front();
+    Matrix<2> slope;
+    slope << 1e-7, 2e-7, -3e-7, 4e-7;
+    p.set(deformation_gradient, tensor<2>(Matrix<2>::Identity() + slope));
+    const Matrix<2> strain = 0.5 * (slope + slope.transpose());
+    const Matrix<2> hooke = lambda() * strain.trace() * Matrix<2>::Identity() + 2 * 2.7e4 * strain;
+    CHECK(relative_error(plain(NeoHookean{}(p)), hooke) < 1e-5);
+    CHECK(relative_error(plain(StVenantKirchhoff{}(p)), hooke) < 1e-5);
+    Matrix<2> inverted = Matrix<2>::Identity();
+    inverted(0, 0) = -0.1;
+    p.set(deformation_gradient, tensor<2>(inverted));
+    CHECK(plain(NeoHookean{}(p))(0, 0) < -1e6);
+}
+
+TEST_CASE("ReferenceCorrection: full at corners and struts, gives way for sheets and single particles") {
+    const auto corner = jittered<3>(4, 2), strut = jittered<3>(2, 3);
+    for (const auto* body : {&corner, &strut})
+        for (const auto& p : *body)
+            CHECK((plain(p[gradient_correction]) * plain(p[moment_matrix]) - Matrix<3>::Identity()).norm() < 1e-12);
+    auto sheet = block<3>(foam(), 4, 0);
+    sheet.erase(sheet.begin() + 16, sheet.end()); // the lowest layer
+    auto alone = block<3>(foam(), 1, 0);
+    for (auto* body : {&sheet, &alone}) {
+        correct(*body);
+        for (const auto& p : *body)
+            CHECK((plain(p[gradient_correction]) - Matrix<3>::Identity()).norm() == 0);
+        move_affinely<3>(*body, Matrix<3>::Identity());
+        stress(*body);
+        for (const auto& p : *body)
+            CHECK(plain(p[first_piola_stress]).norm() < 1e-9); // undeformed is free of stress all the same
+    }
+    // half way down the ramp
+    auto& p = alone.front();
+    SymmetricTensor<Number<double>, 3> M = SymmetricTensor<Number<double>, 3>::zero();
+    M(0, 0) = 1, M(1, 1) = 1, M(2, 2) = 0.00125;
+    p.set(moment_matrix, M);
+    CHECK(plain(ReferenceCorrection<>::Invert{}(p))(2, 2) == Approx(0.5 * 800 + 0.5));
+    CHECK(plain(ReferenceCorrection<>::Invert{}(p))(0, 0) == Approx(1));
+}
+
+TEST_CASE("HourglassControl is nothing for affine motions and keeps the momenta") {
+    check_hourglass<2>();
+    check_hourglass<3>();
+}
+
+TEST_CASE("HourglassControl resists what alternates from particle to particle") {
+    check_zigzag<2>();
+    check_zigzag<3>();
+}
+
+TEST_CASE("TotalLagrangianViscosity leaves rotations alone, keeps momentum and takes energy") {
+    check_viscosity<2>();
+    check_viscosity<3>();
+}
+
+TEST_CASE("TotalLagrangianViscosity has the viscosity it claims, and a limit that is stable and not timid") {
+    check_viscosity_limit<2>();
+    check_viscosity_limit<3>();
+    check_viscosity_coefficient<2>();
+    check_viscosity_coefficient<3>();
+}
+
+TEST_CASE("limits of the solid: the elastic wave, and nothing where nothing acts") {
+    const Sponge s = foam();
+    const TimeStepInput in{2.6e-3, 1e-3, 2, 0, 3};
+    const double c = std::sqrt((950 * 100 + 4 * 2.7e4 / 3) / 950);
+    CHECK(StVenantKirchhoff::time_step_limit(s, in) == Approx(1e-3 / (c + 2)));
+    CHECK(NeoHookean::time_step_limit(s, in) == Approx(1e-3 / (c + 2)));
+    CHECK(std::isinf(HourglassControl<>::time_step_limit(s, in, {.alpha = 0})));
+    CHECK(std::isinf(TotalLagrangianViscosity<>::time_step_limit(s, in, {.alpha = 0})));
+    CHECK(TotalLagrangianViscosity<>::time_step_limit(s, in, {}) ==
+          Approx(2 * 2.6e-3 / (14 * 0.02 * 10 / 3)).epsilon(1e-4));
+}

@@ -1,0 +1,197 @@
+// VolumePressure, DensityDiffusion and DensityFloor: balance of forces and of energy, still water, what is smoothed.
+#include "cloud.hpp"
+
+#include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/density_floor.hpp>
+#include <imbibe/fluid/volume_pressure.hpp>
+
+using namespace cloud;
+
+namespace {
+
+Water heavy() {
+    return {.density = 1000, .sound_speed = 30, .viscosity = 1e-3, .support_radius = 2.6e-3, .spacing = 1e-3};
+}
+Water light() {
+    return {.density = 2, .sound_speed = 60, .viscosity = 1e-5, .support_radius = 2.6e-3, .spacing = 8e-4};
+}
+
+// Two fluids, five hundred times apart in density, with random pressures, densities and velocities.
+template <int dim>
+auto two_fluids() {
+    Column<dim> above = Column<dim>::Zero();
+    above[dim - 1] = 3.9e-3;
+    auto water = block<dim>(heavy(), 4, 0.2, 1), air = block<dim>(light(), 4, 0.2, 2, above);
+    Dice dice(3);
+    for (auto* fluid : {&water, &air})
+        for (auto& p : *fluid) {
+            p.set(density, p.material.density * dice(0.95, 1.05)).set(pressure, dice(-1e3, 3e3));
+            p.set(velocity, dice.vector<dim>(1));
+        }
+    for (auto* fluid : {&water, &air})
+        prepare(Volume{}, volume, *fluid);
+    return std::pair{water, air};
+}
+
+template <int dim>
+void check_balance() {
+    const auto [water, air] = two_fluids<dim>();
+    const VolumePressure<>::Push push;
+    CHECK(worst_imbalance(push, water, air) < 1e-14);
+    // equal masses: to the last bit
+    for (const auto& a : water)
+        for (const auto& b : water)
+            REQUIRE((given(push, a, b) + given(push, b, a)).norm() == 0);
+}
+
+template <int dim>
+void check_virtual_work() {
+    const auto fluids = two_fluids<dim>();
+    const auto &water = fluids.first, &air = fluids.second;
+    double kinetic = 0, internal = 0, scale = 0;
+    const auto account = [&](const auto& fluid) {
+        for (const auto& a : fluid) {
+            const auto force = sum(VolumePressure<>::Push{}, a, water) + sum(VolumePressure<>::Push{}, a, air);
+            const double rate = plain(sum(VolumeContinuity<WendlandC2>{}, a, water)) +
+                                plain(sum(VolumeContinuity<WendlandC2>{}, a, air));
+            const double power = plain(a[mass]) * plain(force).dot(plain(a[velocity]));
+            kinetic += power;
+            internal += plain(a[volume]) * plain(a[pressure]) / plain(a[density]) * rate;
+            scale += std::abs(power);
+        }
+    };
+    account(water);
+    account(air);
+    CHECK(std::abs(kinetic) > 1e-3 * scale);
+    CHECK(std::abs(kinetic + internal) < 1e-13 * scale);
+}
+
+template <int dim>
+void check_diffusion() {
+    auto water = block<dim>(heavy(), dim == 2 ? 8 : 6, 0.2, 5);
+    const Column<dim> g = dim == 2 ? Column<dim>(Eigen::Vector2d(1, -9.81).head(dim)) : Column<dim>::Constant(-5);
+    const double c2 = 900;
+    const typename DensityDiffusion<>::Smooth smooth;
+    for (auto& p : water)
+        p.set(density, 1000 * (1 + g.dot(plain(p[position])) / c2));
+    prepare(Volume{}, volume, water);
+    double greatest = 0, uncorrected = 0;
+    for (const auto& a : water) {
+        greatest = std::max(greatest, std::abs(plain(sum(smooth, a, water, g))));
+        uncorrected = std::max(uncorrected,
+                               std::abs(plain(sum(DensityDiffusion<>::Smooth{{.hydrostatic = false}}, a, water, g))));
+    }
+    CHECK(greatest < 1e-9 * uncorrected);
+    CHECK(uncorrected > 0.1); // kg/m^3/s: the surface would swell
+
+    Dice dice(6);
+    for (auto& p : water)
+        p.set(density, 1000 * dice(0.99, 1.01));
+    prepare(Volume{}, volume, water);
+    double drift = 0, variance_rate = 0, scale = 0;
+    for (const auto& a : water) {
+        const double rate = plain(a[volume]) * plain(sum(smooth, a, water));
+        drift += rate;
+        scale += std::abs(rate);
+        variance_rate += rate * plain(a[density]);
+    }
+    CHECK(std::abs(drift) < 1e-13 * scale);
+    CHECK(variance_rate < -1e-4 * scale * 1000); // differences die out
+}
+
+// On a lattice the sum is delta h c times the Laplacian: 2 dim for |x|^2.
+template <int dim>
+void check_diffusion_coefficient() {
+    Water fine = heavy();
+    fine.support_radius = 4e-3;
+    auto water = block<dim>(fine, 9, 0);
+    for (auto& p : water) {
+        const Column<dim> x = plain(p[position]) - Column<dim>::Constant(4e-3);
+        p.set(density, 1000 + 1e6 * x.squaredNorm()).set(volume, std::pow(1e-3, dim));
+    }
+    const auto& centre = water[water.size() / 2];
+    REQUIRE(plain(centre[density]) == Approx(1000).epsilon(1e-12));
+    const double expected = 0.1 * 2e-3 * 30 * 2 * dim * 1e6;
+    CHECK(plain(sum(DensityDiffusion<>::Smooth{}, centre, water)) == Approx(expected).epsilon(0.02));
+}
+
+// The fastest decay rate of the lattice, over all waves, against the limit's claim that it is 2 over it.
+template <int dim>
+double fastest_rate_times_limit(double ratio) {
+    Water w = heavy();
+    w.support_radius = ratio * w.spacing;
+    const TimeStepInput in{w.support_radius, w.spacing, 1, 1, dim};
+    const double dt = DensityDiffusion<>::time_step_limit(w, in, {.delta = 0.3});
+    const int reach = static_cast<int>(ratio) + 1, n = 2 * reach + 1;
+    auto all = block<dim>(w, n, 0);
+    const auto& a = all[all.size() / 2];
+    double fastest = 0;
+    const int waves = 8;
+    for (int k = 0; k < (dim == 2 ? waves * waves : waves * waves * waves); ++k) {
+        Column<dim> wave;
+        for (int d = 0, rest = k; d < dim; ++d, rest /= waves)
+            wave[d] = pi * (rest % waves + 1) / waves / w.spacing;
+        for (auto& p : all) {
+            p.set(volume, std::pow(w.spacing, dim));
+            p.set(density, std::cos(wave.dot(plain(p[position]) - plain(a[position]))));
+        }
+        const double rate = -plain(sum(DensityDiffusion<>::Smooth{{.delta = 0.3, .hydrostatic = false}}, a, all));
+        fastest = std::max(fastest, rate / plain(a[density]));
+    }
+    return fastest * dt;
+}
+
+} // namespace
+
+TEST_CASE("VolumePressure: equal and opposite across a density jump, to the last bit for equal masses") {
+    check_balance<2>();
+    check_balance<3>();
+}
+
+TEST_CASE("VolumePressure does the work that VolumeContinuity counts") {
+    check_virtual_work<2>();
+    check_virtual_work<3>();
+}
+
+TEST_CASE("VolumePressure pushes apart where the pressure is positive") {
+    auto water = block<2>(heavy(), 2, 0);
+    for (auto& p : water)
+        p.set(pressure, 100.0);
+    prepare(Volume{}, volume, water);
+    const auto force = plain(sum(VolumePressure<>::Push{}, water.front(), water));
+    CHECK(force[0] < 0);
+    CHECK(force[1] < 0);
+}
+
+TEST_CASE("DensityDiffusion leaves still water alone, smooths the rest and loses nothing") {
+    check_diffusion<2>();
+    check_diffusion<3>();
+}
+
+TEST_CASE("DensityDiffusion is delta h c times the Laplacian") {
+    check_diffusion_coefficient<2>();
+    check_diffusion_coefficient<3>();
+}
+
+TEST_CASE("the limit of DensityDiffusion is stable and not timid") {
+    for (const double ratio : {2.0, 2.6, 3.0}) {
+        CHECK(fastest_rate_times_limit<2>(ratio) < 2);
+        CHECK(fastest_rate_times_limit<2>(ratio) > 0.7);
+        CHECK(fastest_rate_times_limit<3>(ratio) < 2);
+        CHECK(fastest_rate_times_limit<3>(ratio) > 0.7);
+    }
+}
+
+TEST_CASE("DensityFloor lifts what is below and leaves what is above") {
+    auto water = block<3>(heavy(), 1, 0);
+    auto& p = water.front();
+    const DensityFloor bare, slow{{.rate = 0.5}};
+    p.set(density, 1001.0);
+    CHECK(plain(bare(p)) == 0);
+    p.set(density, 990.0);
+    CHECK(plain(bare(p)) == Approx(10 * 30 / 1e-3));
+    CHECK(plain(slow(p)) == Approx(5 * 30 / 1e-3));
+    const TimeStepInput in{2.6e-3, 1e-3, 1, 1, 3};
+    CHECK(DensityFloor::time_step_limit(heavy(), in, {}) == Approx(1e-3 / 30));
+}
