@@ -26,6 +26,15 @@ struct Periodic {
     std::array<double, static_cast<std::size_t>(dim)> lower{}, length{};
 };
 
+/// x moved by whole periods into [lower, lower + length), m.
+template <class Real>
+Real into_period(Real x, Real lower, Real length) {
+    if (x >= lower && x < lower + length)
+        return x;
+    x -= length * std::floor((x - lower) / length);
+    return x >= lower && x < lower + length ? x : lower; // rounding may leave it on the far side
+}
+
 /// The smallest box around a set of points.
 template <int dim>
 struct Bounds {

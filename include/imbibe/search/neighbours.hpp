@@ -49,13 +49,17 @@ IMBIBE_INLINE void append_runs(std::vector<Run>& runs, const Points<dim, Real>& 
 } // namespace detail
 
 /// For every target point, the runs of source points nearer than `support`. The sources are in the order of `table`.
-/// Runs may hold points beyond the support as well: compact kernels give them zero.
+/// Runs may hold points beyond the support as well: compact kernels give them zero. Targets outside a periodic box are
+/// moved into it first, so the images of their runs are those seen from there.
 template <int width, int dim, class Real>
 void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim, Real>& sources,
                const Grid<dim>& grid, const CellTable& table, double support, int threads) {
     list.resize(targets.n);
     const Real support2 = static_cast<Real>(support * support);
     const std::size_t row_length = static_cast<std::size_t>(grid.n(0));
+    const auto place = [&](Real x, int d) {
+        return grid.wraps(d) ? into_period(x, static_cast<Real>(grid.lower(d)), static_cast<Real>(grid.length(d))) : x;
+    };
     parallel_for(list.block_count(), threads, [&](int block) {
         std::vector<Run>& runs = list.block(block);
         runs.clear();
@@ -63,7 +67,7 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
         for (int i = block * RunList::block_size; i < end; ++i) {
             double at[dim];
             for (int d = 0; d < dim; ++d)
-                at[d] = static_cast<double>(targets.x[static_cast<std::size_t>(d)][i]);
+                at[d] = static_cast<double>(place(targets.x[static_cast<std::size_t>(d)][i], d));
             // One row of cells: how far it is across, which image it belongs to, and its stretch along x.
             const auto visit = [&](std::size_t row, int shift, double across2) {
                 const double room2 = support * support * (1 + 1e-6) - across2;
@@ -80,8 +84,7 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
                         runs, sources, seen, support2, table.start(row * row_length + static_cast<std::size_t>(from)),
                         table.start(row * row_length + static_cast<std::size_t>(to) + 1), image);
                 };
-                // The part of [low, high] that lies in the grid, seen directly or one period further on or back. A
-                // target that is not wrapped may stand outside: then there may be nothing to see directly.
+                // The part of [low, high] that lies in the grid, seen directly or one period further on or back.
                 const auto part = [&](int moved, int period) {
                     const int from = std::max(low + moved, 0), to = std::min(high + moved, n - 1);
                     if (from <= to)

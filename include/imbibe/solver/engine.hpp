@@ -14,6 +14,8 @@ struct Link {
     using A = A_;
     using B = B_;
     static constexpr bool reference = reference_;
+    static_assert(!reference || std::is_same_v<A, B>,
+                  "imbibe: a pair part with `neighbourhood = Reference` acts within one phase, not in a coupling");
     search::RunList runs;
     double support = 0; ///< m
 };
@@ -147,10 +149,7 @@ public:
                 auto& a = state<typename L::A>();
                 auto& b = state<typename L::B>();
                 link.support = support<typename L::A, typename L::B>();
-                bool wraps = false;
-                for (double length : periodic.length)
-                    wraps = wraps || length > 0;
-                if (a.size() == 0 || b.size() == 0 || (!wraps && a.bounds.far_from(b.bounds, link.support)))
+                if (a.size() == 0 || b.size() == 0 || are_apart<typename L::A, typename L::B>())
                     link.runs.clear_all(a.size());
                 else
                     search::find_runs<width>(link.runs, a.points(), seen_points(b), grid, b.table, link.support, threads);
@@ -244,10 +243,10 @@ public:
             }
         });
     }
-    /// Are the boxes around two phases further apart than their support radius?
+    /// Are the boxes around two phases further apart than their support radius? Never, where sides are periodic.
     template <class A, class B>
     bool are_apart() const {
-        return state<A>().bounds.far_from(state<B>().bounds, support<A, B>());
+        return !any_periodic() && state<A>().bounds.far_from(state<B>().bounds, support<A, B>());
     }
 
     std::size_t particle_bytes() const {
@@ -298,6 +297,9 @@ private:
         return ((!L::reference && (std::is_same_v<P, typename L::A> || std::is_same_v<P, typename L::B>)) || ...);
     }
 
+    bool any_periodic() const {
+        return std::any_of(periodic.length.begin(), periodic.length.end(), [](double length) { return length > 0; });
+    }
     template <class S>
     [[noreturn]] void throw_not_finite(const S& s, int i) const {
         throw Error(text("a coordinate of particle ", s.ids[static_cast<std::size_t>(i)], " of phase ",
@@ -316,10 +318,8 @@ private:
         if (periodic.length[k] == 0)
             return;
         const Real low = static_cast<Real>(periodic.lower[k]), length = static_cast<Real>(periodic.length[k]);
-        for (int i = 0; i < n; ++i) {
-            x[i] = x[i] < low ? x[i] + length : x[i];
-            x[i] = x[i] >= low + length ? x[i] - length : x[i];
-        }
+        for (int i = 0; i < n; ++i)
+            x[i] = search::into_period(x[i], low, length);
     }
     search::Bounds<dim> wrapped(search::Bounds<dim> b) const {
         for (std::size_t d = 0; d < dim; ++d)
@@ -522,6 +522,7 @@ private:
         source.stride = b.stride();
         source.runs = &l.runs;
         source.support = l.support;
+        source.periodic = &periodic;
         for (int shift = 0; shift < search::image_count<dim>; ++shift)
             for (int d = 0; d < dim; ++d)
                 source.images[static_cast<std::size_t>(shift)][d] = static_cast<Real>(
@@ -532,7 +533,7 @@ private:
     template <class N>
     void refresh_image() {
         using B = typename N::B;
-        if constexpr (State<B>::keeps_reference && !N::reference && !std::is_same_v<typename N::A, B>) {
+        if constexpr (State<B>::keeps_reference && !N::reference) {
             if (!link<typename N::A, B, false>().runs.is_empty())
                 copy_fields<B>(ReadsOnB<dim, N>{});
         }

@@ -72,6 +72,8 @@ public:
         require(std::isfinite(with.time_step) && with.time_step >= 0, "time_step = ", with.time_step,
                 " s; it must not be negative (0 means adaptive)");
         require(with.max_time_step > 0, "max_time_step = ", with.max_time_step, " s; it must be above 0 s");
+        for (double lower : with.periodic_lower)
+            require(std::isfinite(lower), "a periodic_lower of ", lower, " m; it must be a finite number");
         for (double length : with.periodic_length)
             require(std::isfinite(length) && (length == 0 || length >= with.support_radius), "a periodic length of ",
                     length, " m; it must be 0 (not periodic) or at least the support radius, ", with.support_radius,
@@ -93,15 +95,24 @@ public:
         const std::string name = detail::type_name<P>();
         material.check(name);
         require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
+        const double support = material.support_radius == 0 ? settings_.support_radius : material.support_radius;
+        require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
+                " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
+        for (double length : settings_.periodic_length)
+            require(length == 0 || length >= support, name, ": support_radius = ", support,
+                    " m is longer than a period of ", length, " m; a particle would see its neighbours twice");
+        for (std::size_t k = 0; k < points.size(); ++k)
+            for (int d = 0; d < dim; ++d)
+                require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
+                        "; all coordinates must be finite numbers, m");
         auto& s = engine_.template state<P>();
+        require(s.size() == 0 || s.material.spacing == spacing, name, ": particles were added with spacing ",
+                s.material.spacing, " m before and ", spacing, " m now; use a second phase for a second spacing");
         if (s.size() == 0) {
             s.material = material;
             s.material.spacing = spacing;
-            if (s.material.support_radius == 0)
-                s.material.support_radius = settings_.support_radius;
+            s.material.support_radius = support;
         }
-        require(s.material.spacing == spacing, name, ": particles were added with spacing ", s.material.spacing,
-                " m before and ", spacing, " m now; use a second phase for a second spacing");
         note_warnings(s.material, name);
         const int before = s.size();
         s.resize(before + static_cast<int>(points.size()));
@@ -110,11 +121,12 @@ public:
             const Point& x = points[static_cast<std::size_t>(k)];
             const int i = before + k;
             for (int d = 0; d < dim; ++d) {
-                require(std::isfinite(x[d]), name, ": coordinate ", d, " of point ", k, " is ", x[d],
-                        "; all coordinates must be finite numbers, m");
-                s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(x[d]);
+                const auto axis = static_cast<std::size_t>(d);
+                const double length = settings_.periodic_length[axis];
+                const double at = length > 0 ? search::into_period(x[d], settings_.periodic_lower[axis], length) : x[d];
+                s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(at);
                 if constexpr (State<P>::keeps_reference)
-                    s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(x[d]);
+                    s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(at);
             }
             s.field(mass)[i] = static_cast<Real>(material.density * cell);
             if constexpr (detail::contains<Density, FieldsOf<P>>)

@@ -112,7 +112,7 @@ struct SourceData {
     std::size_t stride;
     const search::RunList* runs;
     double support;
-    bool absent; ///< nothing of it is near
+    const search::Periodic<dim>* periodic;
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
 };
 
@@ -161,6 +161,11 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     Real here[dim];
     for (int d = 0; d < dim; ++d)
         here[d] = state.column(place_a + d)[i];
+    if constexpr (PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference)
+        for (std::size_t d = 0; d < dim; ++d) // it is not wrapped, its runs were found as if it were
+            if (source.periodic->length[d] > 0)
+                here[d] = search::into_period(here[d], static_cast<Real>(source.periodic->lower[d]),
+                                              static_cast<Real>(source.periodic->length[d]));
 
     for (const search::Run run : (*source.runs)[i]) {
         const Vector<Real, dim>& image = source.images[run.shift];
