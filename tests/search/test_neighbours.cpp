@@ -1,0 +1,281 @@
+// Neighbour runs against all pairs, on ordinary and on unkind sets of points.
+#include "brute_force.hpp"
+
+#include <catch_shim.hpp>
+
+namespace {
+
+using namespace search_test;
+
+template <int width_, int dim_, class Real_>
+struct Case {
+    static constexpr int width = width_, dim = dim_;
+    using Real = Real_;
+};
+template <class Real>
+constexpr int native = imbibe::native_width<Real>;
+
+template <class C>
+using CloudOf = Cloud<C::dim, typename C::Real>;
+template <class C>
+using ComparisonOf = Comparison<C::width, C::dim, typename C::Real>;
+template <class C>
+CloudOf<C> random_points(int n, double lower, double upper, unsigned seed) {
+    return random_cloud<C::dim, typename C::Real>(n, lower, upper, seed);
+}
+
+// Particles are their own sources.
+template <class C>
+ComparisonOf<C> compare(CloudOf<C> cloud, double support, const Periodic<C::dim>& periodic = {}, int threads = 1) {
+    ComparisonOf<C> c{support, periodic, threads};
+    c.run(cloud, cloud);
+    CHECK(c.wrong == 0);
+    CHECK(c.twice == 0);
+    CHECK(c.unsorted == 0);
+    return c;
+}
+template <class C>
+ComparisonOf<C> compare(CloudOf<C> targets, CloudOf<C> sources, double support, const Periodic<C::dim>& periodic = {}) {
+    ComparisonOf<C> c{support, periodic};
+    c.run(targets, sources);
+    CHECK(c.wrong == 0);
+    CHECK(c.twice == 0);
+    CHECK(c.unsorted == 0);
+    return c;
+}
+
+// Sides 0 .. sides-1 are periodic, from `lower` on.
+template <int dim>
+Periodic<dim> box(int sides, double lower, double length) {
+    Periodic<dim> p;
+    for (int d = 0; d < sides; ++d) {
+        p.lower[static_cast<std::size_t>(d)] = lower;
+        p.length[static_cast<std::size_t>(d)] = length;
+    }
+    return p;
+}
+
+} // namespace
+
+#define EVERY_CASE                                                                                                     \
+    (Case<1, 2, double>), (Case<1, 3, float>), (Case<native<double>, 3, double>), (Case<native<float>, 3, float>),     \
+        (Case<native<float>, 2, float>), (Case<native<double>, 2, double>)
+
+TEMPLATE_TEST_CASE("Neighbours of random points are those of all pairs", "[search]", EVERY_CASE) {
+    const int n = TestType::dim == 2 ? 500 : 800;
+    for (unsigned seed = 1; seed <= 3; ++seed)
+        for (double support : {0.05, 0.2, 0.7, 3.0}) {
+            CAPTURE(seed, support);
+            const auto c = compare<TestType>(random_points<TestType>(n, -0.4, 0.6, seed), support);
+            CHECK(c.pairs >= n); // each is its own neighbour
+            CHECK((support < 1 || c.pairs == static_cast<long long>(n) * n));
+        }
+}
+
+TEMPLATE_TEST_CASE("Neighbours on a lattice", "[search]", EVERY_CASE) {
+    // Supports between the lattice's distances, and one exactly on it (those pairs are left open).
+    for (double support : {0.9, 1.2, 1.5, 2.0, 2.6})
+        for (double origin : {0.0, -3.0, 0.37}) {
+            CAPTURE(support, origin);
+            compare<TestType>(lattice<TestType::dim, typename TestType::Real>(8, 1.0, origin), support);
+        }
+    // An inner point has 4 (6) neighbours within 1.2 spacings, and itself; all 8^dim together, counted by links.
+    const auto c = compare<TestType>(lattice<TestType::dim, typename TestType::Real>(8, 1.0, 0), 1.2);
+    CHECK(c.pairs == (TestType::dim == 2 ? 64 + 4 * 7 * 8 : 512 + 6 * 7 * 64));
+}
+
+TEMPLATE_TEST_CASE("Neighbours of coincident points", "[search]", EVERY_CASE) {
+    auto cloud = random_points<TestType>(40, 0, 1, 7);
+    const int n = cloud.n;
+    for (int i = 0; i < n; ++i)
+        for (int copy = 0; copy < 5; ++copy) {
+            std::array<double, static_cast<std::size_t>(TestType::dim)> x;
+            for (std::size_t d = 0; d < static_cast<std::size_t>(TestType::dim); ++d)
+                x[d] = cloud.at(i, static_cast<int>(d));
+            cloud.add(x);
+        }
+    compare<TestType>(cloud, 0.2);
+    CloudOf<TestType> point;
+    for (int k = 0; k < 70; ++k)
+        point.add({});
+    CHECK(compare<TestType>(point, 1.0).pairs == 70 * 70);
+}
+
+TEMPLATE_TEST_CASE("Neighbours when all points are in one cell", "[search]", EVERY_CASE) {
+    CHECK(compare<TestType>(random_points<TestType>(150, 0.1, 0.1001, 3), 1.0).pairs == 150 * 150);
+    CHECK(compare<TestType>(random_points<TestType>(150, -1e-4, 1e-4, 4), 1.0).pairs == 150 * 150);
+}
+
+TEMPLATE_TEST_CASE("One point, two points, and no targets at all", "[search]", EVERY_CASE) {
+    CHECK(compare<TestType>(random_points<TestType>(1, 0, 1, 3), 0.1).pairs == 1);
+    CHECK(compare<TestType>(random_points<TestType>(2, 0, 1, 3), 4).pairs == 4);
+    CHECK(compare<TestType>(CloudOf<TestType>{}, random_points<TestType>(9, 0, 1, 3), 1).pairs == 0);
+}
+
+TEMPLATE_TEST_CASE("Two clusters a kilometre apart with a support of a millimetre", "[search]", (Case<1, 3, double>),
+                   (Case<native<double>, 3, double>), (Case<native<double>, 2, double>),
+                   (Case<native<float>, 3, float>)) {
+    // In float a coordinate of 1000 m has steps of 0.06 mm: the far cluster is coarse, but its pairs are the same ones.
+    auto cloud = random_points<TestType>(200, 0, 4e-3, 1);
+    const auto far_away = random_points<TestType>(200, 1000, 1000 + 4e-3, 2);
+    for (int i = 0; i < far_away.n; ++i) {
+        std::array<double, static_cast<std::size_t>(TestType::dim)> x;
+        for (std::size_t d = 0; d < static_cast<std::size_t>(TestType::dim); ++d)
+            x[d] = far_away.at(i, static_cast<int>(d));
+        cloud.add(x);
+    }
+    const auto c = compare<TestType>(cloud, 1e-3);
+    CHECK(c.pairs > 2 * 200);
+    // Memory stays bounded: a uniform grid would have 1e18 cells.
+    Grid<TestType::dim> grid;
+    auto points = cloud.points();
+    grid.fit(imbibe::search::bounds_of(points, 1), 1e-3, {}, cloud.n);
+    CHECK(grid.cells() <= 8u * 400u + 4096u);
+}
+
+TEMPLATE_TEST_CASE("Neighbours far from the origin", "[search]", (Case<native<double>, 3, double>),
+                   (Case<native<double>, 2, double>), (Case<native<float>, 3, float>), (Case<1, 2, float>)) {
+    const double far_away = sizeof(typename TestType::Real) == 4 ? 1e3 : 1e8;
+    for (double side : {far_away, -far_away}) {
+        CAPTURE(side);
+        const auto c = compare<TestType>(random_points<TestType>(400, side, side + 1, 5), 0.2);
+        CHECK(c.pairs > 400);
+        compare<TestType>(lattice<TestType::dim, typename TestType::Real>(7, 0.25, side), 0.6);
+    }
+}
+
+TEMPLATE_TEST_CASE("Neighbours across periodic sides", "[search]", EVERY_CASE) {
+    for (int sides = 1; sides <= TestType::dim; ++sides)
+        for (double periods : {1.0, 1.3, 2.0, 2.5, 3.0, 6.2})
+            for (double lower : {0.0, -0.37, 5.1}) {
+                CAPTURE(sides, periods, lower);
+                const double support = 0.25, length = periods * support;
+                const auto c = compare<TestType>(random_points<TestType>(80, lower, lower + length, 11), support,
+                                                 box<TestType::dim>(sides, lower, length));
+                CHECK(c.pairs > 80);
+            }
+}
+
+TEMPLATE_TEST_CASE("A periodic lattice has the same neighbours everywhere", "[search]", EVERY_CASE) {
+    // On both sides' very edge too: the first layer is at the lower end, and its image at the upper one.
+    for (int m : {3, 5, 8}) {
+        CAPTURE(m);
+        const auto c = compare<TestType>(lattice<TestType::dim, typename TestType::Real>(m, 0.1, 0.3), 0.15,
+                                         box<TestType::dim>(TestType::dim, 0.3, 0.1 * m));
+        const long long n = TestType::dim == 2 ? m * m : m * m * m;
+        CHECK(c.pairs == n * (TestType::dim == 2 ? 9 : 19));
+    }
+}
+
+TEMPLATE_TEST_CASE("Targets that are not the sources", "[search]", EVERY_CASE) {
+    compare<TestType>(random_points<TestType>(150, 0, 1, 21), random_points<TestType>(300, 0.2, 0.8, 22), 0.15);
+    compare<TestType>(random_points<TestType>(300, 0, 1, 23), random_points<TestType>(3, 0.4, 0.5, 24), 0.3);
+    compare<TestType>(random_points<TestType>(50, 0, 0.1, 25), random_points<TestType>(50, 3, 3.1, 26), 0.3);
+    for (double periods : {1.0, 2.0, 2.5, 5.0}) {
+        CAPTURE(periods);
+        compare<TestType>(random_points<TestType>(100, 0, periods * 0.2, 27),
+                          random_points<TestType>(100, 0, periods * 0.2, 28), 0.2,
+                          box<TestType::dim>(TestType::dim, 0, periods * 0.2));
+    }
+}
+
+TEMPLATE_TEST_CASE("Targets outside the periodic box", "[search]", EVERY_CASE) {
+    // Particles of a total-Lagrangian solid are not wrapped: they may stand a little beyond the side, or far.
+    for (double beyond : {0.01, 0.19, 0.3, 5.0})
+        for (double periods : {1.0, 2.0, 2.5, 5.0}) {
+            CAPTURE(beyond, periods);
+            const double length = periods * 0.2;
+            compare<TestType>(random_points<TestType>(60, -beyond, length + beyond, 31),
+                              random_points<TestType>(60, 0, length, 32), 0.2,
+                              box<TestType::dim>(TestType::dim, 0, length));
+        }
+}
+
+TEMPLATE_TEST_CASE("Threads do not change the runs", "[search]", (Case<native<double>, 3, double>)) {
+    auto cloud = random_points<TestType>(3000, 0, 1, 41);
+    auto points = cloud.points();
+    Grid<3> grid;
+    grid.fit(imbibe::search::bounds_of(points, 1), 0.1, {}, cloud.n);
+    std::vector<std::vector<std::uint64_t>> all;
+    for (int threads : {1, 2, 4}) {
+        CellTable table;
+        auto sorted = cloud;
+        if (!table.sort(grid, sorted.points(), threads))
+            sorted.reorder(table.order());
+        RunList list;
+        imbibe::search::find_runs<TestType::width>(list, sorted.points(), sorted.points(), grid, table, 0.1, threads);
+        std::vector<std::uint64_t> bits;
+        for (int i = 0; i < list.size(); ++i)
+            for (const Run& run : list[i])
+                bits.push_back((std::uint64_t{run.first} << 32) | (std::uint64_t{run.count} << 16) | run.shift);
+        all.push_back(bits);
+    }
+    CHECK(all[0].size() > 3000);
+    CHECK(all[0] == all[1]);
+    CHECK(all[0] == all[2]);
+}
+
+TEST_CASE("What is sorted stays sorted, and equal cells keep their order", "[search]") {
+    auto cloud = random_cloud<3, double>(500, 0, 1, 51);
+    auto points = cloud.points();
+    Grid<3> grid;
+    const auto bounds = imbibe::search::bounds_of(points, 1);
+    grid.fit(bounds, 0.2, {}, cloud.n);
+    CellTable table;
+    REQUIRE_FALSE(table.sort(grid, points, 1));
+    const auto order = table.order();
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        const auto before = grid.key(points, static_cast<int>(order[k - 1]));
+        const auto here = grid.key(points, static_cast<int>(order[k]));
+        REQUIRE(before <= here);
+        if (before == here)
+            REQUIRE(order[k - 1] < order[k]);
+    }
+    cloud.reorder(order);
+    CHECK(table.sort(grid, cloud.points(), 1));
+    // The same set with another point moved out: the grid grows, and the order of the others must not change.
+    auto wider = bounds;
+    wider.upper = {1.9, 1.9, 1.9};
+    Grid<3> grown;
+    grown.fit(wider, 0.2, {}, cloud.n);
+    if (grown.cells() <= 8u * 500u + 4096u && grown.width(0) == grid.width(0))
+        CHECK(table.sort(grown, cloud.points(), 1));
+    // Every cell's stretch holds exactly its points.
+    table.sort(grid, cloud.points(), 1);
+    CHECK(table.start(0) == 0);
+    CHECK(table.start(grid.cells()) == 500);
+    for (int i = 0; i < cloud.n; ++i) {
+        const auto key = grid.key(cloud.points(), i);
+        REQUIRE(table.start(key) <= static_cast<std::uint32_t>(i));
+        REQUIRE(static_cast<std::uint32_t>(i) < table.start(key + 1));
+    }
+}
+
+TEST_CASE("Coordinates come back into their period", "[search]") {
+    using imbibe::search::into_period;
+    CHECK(into_period(0.25, 0.0, 1.0) == 0.25);
+    CHECK(into_period(1.0, 0.0, 1.0) == 0.0);
+    CHECK(into_period(-0.25, 0.0, 1.0) == 0.75);
+    CHECK(into_period(-7.25, -1.0, 2.0) == 0.75);
+    CHECK(into_period(1e6f + 0.5f, 0.f, 1.f) == 0.5f);
+    // A hair below the lower end: adding the period would round to its upper end, which is outside.
+    for (double hair : {-1e-17, -1e-300}) {
+        const double x = into_period(hair, 0.0, 1.0);
+        CHECK(x >= 0);
+        CHECK(x < 1);
+    }
+    const float y = into_period(0.1f - 1e-9f, 0.1f, 0.7f);
+    CHECK(y >= 0.1f);
+    CHECK(y < 0.1f + 0.7f);
+}
+
+TEST_CASE("A coordinate that is not finite is found", "[search]") {
+    auto cloud = random_cloud<2, double>(300, 0, 1, 61);
+    CHECK(imbibe::search::bounds_of(cloud.points(), 1).not_finite == -1);
+    for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e31})
+        for (std::size_t at : {std::size_t{0}, std::size_t{137}, std::size_t{299}}) {
+            auto broken = cloud;
+            broken.x[1][at] = bad;
+            CHECK(imbibe::search::bounds_of(broken.points(), 2).not_finite == static_cast<int>(at));
+        }
+}
