@@ -54,9 +54,9 @@ struct MonaghanViscosity {
     }
 
     static constexpr const char* limit_name = "artificial viscosity";
-    /// 0.4 H/(alpha c + 2 beta v), s, with the greatest speed v. From the shortest wave, in which every particle
-    /// meets half of its neighbours: with the integral of |dW/dr|/r near 15/H^2 (all usual kernels, 13 to 15) its
-    /// damping rate is 5 alpha c/H, and an explicit step is stable below 2 over the rate.
+    /// 0.4 H/(alpha c + 2 beta v), s, with the greatest speed v. On square and cubic lattices with a spacing from 0.4 H
+    /// on, no wave is damped faster than at the rate 5 alpha c/H with any of the library's kernels (half of the
+    /// neighbours approach at a time), and an explicit step is stable below 2 over that rate.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         return time_step_limit(material, material, in, parameters);
     }

@@ -1,0 +1,108 @@
+// The coupling of the paper, Eqs. (23) to (25): value and sign of the repulsion, its time step, action and reaction.
+#include "hand.hpp"
+
+#include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/fluid/laminar_viscosity.hpp>
+#include <imbibe/fluid/symmetric_pressure.hpp>
+#include <imbibe/kernels/wendland.hpp>
+
+using namespace hand;
+
+namespace {
+
+template <int dim>
+using LaplacianKernel = std::conditional_t<dim == 3, ViscosityKernel, ViscosityKernel2D>;
+
+template <int dim>
+void check_pairwise_balance() {
+    Dice dice(100 + dim);
+    using Push = typename SymmetricPressure<Spiky>::Push;
+    const LaminarViscosity<LaplacianKernel<dim>> viscosity;
+    const KernelRepulsion<> repulsion;
+    for (int k = 0; k < 200; ++k) {
+        auto f = dice.particle<dim>(water(), dice.vector<dim>(0.28 * H));
+        auto s = dice.particle<dim>(sponge(), dice.vector<dim>(0.28 * H));
+        f.set(pressure_over_density2, typename SymmetricPressure<Spiky>::Prepare{}(f));
+        s.set(pressure_over_density2, typename SymmetricPressure<Spiky>::Prepare{}(s));
+        const auto fs = pair_of(f, s), sf = pair_of(s, f);
+        const double mf = plain(f[mass]), ms = plain(s[mass]), rf = plain(f[density]), rs = plain(s[density]);
+        const double Vf = mf / rf, Vs = ms / rs;
+        const Column<dim> x = plain(fs.offset);
+
+        const Column<dim> pressure_force =
+            -mf * ms * (plain(f[pressure]) / (rf * rf) + plain(s[pressure]) / (rs * rs)) * spiky_gradient<dim>(x);
+        const Column<dim> viscous_force =
+            3.5e-3 * Vf * Vs * (plain(s[velocity]) - plain(f[velocity])) * viscosity_laplacian<dim>(x.norm());
+        const Column<dim> repulsive_force = -1e8 * Vf * Vs * spiky_gradient<dim>(x);
+
+        const auto check = [&](const auto& term, const Column<dim>& force) {
+            const Column<dim> on_f = mf * plain(contribution(fs, term(f, s, fs)));
+            const Column<dim> on_s = ms * plain(contribution(sf, term(s, f, sf)));
+            REQUIRE(relative_error(on_f, force) < 1e-11);
+            REQUIRE((on_f + on_s).norm() < 1e-15 * force.norm()); // a few roundings each
+        };
+        check(Push{}, pressure_force);
+        check(viscosity, viscous_force);
+        check(repulsion, repulsive_force);
+    }
+}
+
+template <int dim>
+double repulsion_limit_by_notes(double mass_f, double speed, double stiffness, double Vf, double Vs, double mass_s) {
+    // 3D: delta = H (pi H^3 m v^2/(30 K V V))^(1/3), k = 90 K V V delta/(pi H^6); 15/pi is 10/pi in 2D
+    const double norm = dim == 3 ? 15 / pi : 10 / pi;
+    const double delta =
+        std::min(H, H * std::cbrt(std::pow(H, dim) * mass_f * speed * speed / (2 * norm * stiffness * Vf * Vs)));
+    const double k = 6 * norm * stiffness * Vf * Vs * delta / std::pow(H, dim + 3);
+    return 2 * std::sqrt(mass_f * mass_s / (mass_f + mass_s) / k);
+}
+
+} // namespace
+
+TEST_CASE("KernelRepulsion is the mended Eq. (24): 4.5e7 m/s^2 a neighbour, and it repels") {
+    Particle<3, Number<double>, Water> f(water());
+    Particle<3, Number<double>, Sponge> s(sponge());
+    f.set(position, {0, 0, 0}).set(mass, 1000 * std::pow(8e-4, 3)).set(density, 1000);
+    s.set(position, {0.5 * H, 0, 0}).set(mass, 950 * std::pow(5e-4, 3)).set(density, 950);
+    const KernelRepulsion<> term;
+    const auto ab = pair_of(f, s);
+    const Column<3> push = plain(contribution(ab, term(f, s, ab)));
+    CHECK(push[0] == Approx(-4.5e7).epsilon(0.01));
+    CHECK(push[1] == 0);
+    CHECK(plain(contribution(pair_of(s, f), term(s, f, pair_of(s, f))))[0] > 0);
+}
+
+TEST_CASE("the terms of the fluid in a coupling are Eqs. (23) and (25), pair by pair") {
+    check_pairwise_balance<2>();
+    check_pairwise_balance<3>();
+}
+
+TEST_CASE("the limit of the repulsion is that of the notes for Spiky") {
+    const double Vf = std::pow(8e-4, 3), Vs = std::pow(5e-4, 3);
+    for (const double K : {1e6, 1e8, 1e9})
+        for (const double speed : {0.01, 0.3, 1.0}) {
+            const TimeStepInput in{H, 8e-4, speed, 0, 3, 5e-4, 0.0};
+            const double limit = KernelRepulsion<>::time_step_limit(water(), sponge(), in, {.stiffness = K});
+            CHECK(limit == Approx(repulsion_limit_by_notes<3>(1000 * Vf, speed, K, Vf, Vs, 950 * Vs)).epsilon(1e-5));
+            // the order of the phases does not matter, nor whose speed it is
+            const TimeStepInput swapped{H, 5e-4, 0.0, 0, 3, 8e-4, speed};
+            CHECK(KernelRepulsion<>::time_step_limit(sponge(), water(), swapped, {.stiffness = K}) ==
+                  Approx(limit).epsilon(1e-12));
+        }
+    const double Af = 8e-4 * 8e-4, As = 5e-4 * 5e-4;
+    const TimeStepInput plane{H, 8e-4, 0.3, 0, 2, 5e-4, 0.0};
+    CHECK(KernelRepulsion<>::time_step_limit(water(), sponge(), plane, {}) ==
+          Approx(repulsion_limit_by_notes<2>(1000 * Af, 0.3, 1e8, Af, As, 950 * As)).epsilon(1e-5));
+}
+
+TEST_CASE("the limit of the repulsion at its ends: at rest, and faster than it can hold") {
+    const TimeStepInput rest{H, 8e-4, 0, 0, 3, 5e-4, 0};
+    CHECK(std::isinf(KernelRepulsion<>::time_step_limit(water(), sponge(), rest, {})));
+    const double Vf = std::pow(8e-4, 3), Vs = std::pow(5e-4, 3);
+    const TimeStepInput fast{H, 8e-4, 1e4, 0, 3, 5e-4, 0};
+    CHECK(KernelRepulsion<>::time_step_limit(water(), sponge(), fast, {}) ==
+          Approx(repulsion_limit_by_notes<3>(1000 * Vf, 1e4, 1e8, Vf, Vs, 950 * Vs)).epsilon(1e-3));
+    CHECK(std::isinf(KernelRepulsion<>::time_step_limit(water(), sponge(), fast, {.stiffness = 0})));
+    CHECK(KernelRepulsion<WendlandC2>::time_step_limit(water(), sponge(), fast, {}) > 0);
+    CHECK(std::string_view(KernelRepulsion<>::limit_name) == "repulsion stiffness");
+}

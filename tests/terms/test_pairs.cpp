@@ -1,0 +1,137 @@
+// What every pair part must keep to: action and reaction, silence beyond the support, a finite and empty self pair,
+// and the same numbers on packs as on scalars.
+#include "every_part.hpp"
+
+#include <algorithm>
+
+using namespace hand;
+
+namespace {
+
+// The positions are not rounded once more in float: both sides of a pair see the same offset.
+template <class Real, int dim, class Part, class A, class B>
+std::pair<std::vector<double>, std::vector<double>> forces(const Part& part, const A& a, const B& b) {
+    using T = Number<Real>;
+    const auto a_ = as<T>(a);
+    const auto b_ = as<T>(b);
+    const auto ab = pair_of(a_, b_), ba = pair_of(b_, a_);
+    return {numbers(a_[mass] * contribution(ab, part(a_, b_, ab))),
+            numbers(b_[mass] * contribution(ba, part(b_, a_, ba)))};
+}
+
+double greatest(const std::vector<double>& v) {
+    double m = 0;
+    for (const double x : v)
+        m = std::max(m, std::abs(x));
+    return m;
+}
+
+template <class Real, int dim>
+void check_action_and_reaction() {
+    for_each_case(EveryPairPart<dim>{}, []<class C>(C) {
+        if constexpr (C::is_force) {
+            Dice dice(200 + dim);
+            int not_zero = 0;
+            for (int k = 0; k < 300; ++k) {
+                const auto a = ready_particle<typename C::A>(dice, dice.vector<dim>(0.4 * H));
+                auto b = ready_particle<typename C::B>(dice, dice.vector<dim>(0.4 * H));
+                const auto [on_a, on_b] = forces<Real, dim>(typename C::Part{}, a, b);
+                for (std::size_t i = 0; i < on_a.size(); ++i)
+                    REQUIRE(std::abs(on_a[i] + on_b[i]) <=
+                            4 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * greatest(on_a));
+                b.set(mass, a[mass]); // with equal masses to the last bit
+                const auto [same_a, same_b] = forces<Real, dim>(typename C::Part{}, a, b);
+                for (std::size_t i = 0; i < same_a.size(); ++i)
+                    REQUIRE(same_a[i] == -same_b[i]);
+                not_zero += greatest(on_a) > 0;
+            }
+            CHECK(not_zero > 50);
+        }
+    });
+}
+
+template <class Real, int dim>
+void check_beyond_the_support_and_self() {
+    using T = Number<Real>;
+    for_each_case(EveryPairPart<dim>{}, []<class C>(C) {
+        Dice dice(300 + dim);
+        const typename C::Part part{};
+        for (int k = 0; k < 50; ++k) {
+            const auto a = as<T>(ready_particle<typename C::A>(dice, Vector<Number<double>, dim>::zero()));
+            auto direction = dice.vector<dim>(1);
+            const auto far = (dice(1.001, 3) * H / norm(direction)) * direction;
+            const auto b = as<T>(ready_particle<typename C::B>(dice, far));
+            const auto ab = pair_of(a, b);
+            for (const double x : numbers(contribution(ab, part(a, b, ab))))
+                REQUIRE(x == 0);
+            // another particle in the same place: finite; the particle itself: nothing
+            const auto twin = as<T>(ready_particle<typename C::B>(dice, Vector<Number<double>, dim>::zero()));
+            const auto here = pair_of(a, twin);
+            for (const double x : numbers(contribution(here, part(a, twin, here))))
+                REQUIRE(std::isfinite(x));
+            if constexpr (std::is_same_v<typename C::A, typename C::B>)
+                for (const double x : numbers(contribution(pair_of(a, a), part(a, a, pair_of(a, a)))))
+                    REQUIRE(x == 0);
+        }
+    });
+}
+
+template <class Real, int dim>
+void check_packs() {
+    constexpr int width = std::max(native_width<Real>, 2);
+    using T = Pack<Real, width>;
+    for_each_case(EveryPairPart<dim>{}, []<class C>(C) {
+        Dice dice(400 + dim);
+        const typename C::Part part{};
+        double size = 0, error = 0;
+        for (int k = 0; k < 20; ++k) {
+            const auto a = ready_particle<typename C::A>(dice, Vector<Number<double>, dim>::zero());
+            std::vector<Particle<dim, Number<double>, typename C::B>> neighbours;
+            for (int lane = 0; lane < width; ++lane) { // inside and outside the support, and one on top of a
+                const auto where = dice.vector<dim>(lane == 0 ? 0 : 0.7 * H);
+                neighbours.push_back(ready_particle<typename C::B>(dice, where));
+            }
+            const auto a_ = as<T>(a);
+            const auto b_ = lanes<T>(neighbours);
+            const auto ab = pair_of(a_, b_);
+            const auto all = contribution(ab, part(a_, b_, ab));
+            for (int lane = 0; lane < width; ++lane) {
+                const auto a1 = as<Number<Real>>(a);
+                const auto b1 = as<Number<Real>>(neighbours[static_cast<std::size_t>(lane)]);
+                const auto ab1 = pair_of(a1, b1);
+                const auto one = numbers(contribution(ab1, part(a1, b1, ab1)));
+                const auto many = numbers(all, lane);
+                REQUIRE(one.size() == many.size());
+                size = std::max(size, greatest(one));
+                for (std::size_t i = 0; i < one.size(); ++i)
+                    error = std::max(error, std::abs(one[i] - many[i]) / std::max(greatest(one), 1e-300));
+            }
+        }
+        CHECK(size > 0);
+        // the two may differ where the compiler fuses products; twelfth powers carry that difference on
+        CHECK(error < 50 * static_cast<double>(std::numeric_limits<Real>::epsilon()));
+    });
+}
+
+} // namespace
+
+TEST_CASE("forces of a pair are equal and opposite, to the last bit for equal masses") {
+    check_action_and_reaction<double, 2>();
+    check_action_and_reaction<double, 3>();
+    check_action_and_reaction<float, 2>();
+    check_action_and_reaction<float, 3>();
+}
+
+TEST_CASE("pair parts are zero beyond the support, and finite at distance zero") {
+    check_beyond_the_support_and_self<double, 2>();
+    check_beyond_the_support_and_self<double, 3>();
+    check_beyond_the_support_and_self<float, 2>();
+    check_beyond_the_support_and_self<float, 3>();
+}
+
+TEST_CASE("a pack of neighbours gives what each of them gives alone") {
+    check_packs<double, 2>();
+    check_packs<double, 3>();
+    check_packs<float, 2>();
+    check_packs<float, 3>();
+}

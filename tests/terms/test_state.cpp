@@ -1,0 +1,53 @@
+// The equations of state against Eq. (8) and their limits of the time step.
+#include "hand.hpp"
+
+#include <imbibe/state/linear_state.hpp>
+#include <imbibe/state/tait.hpp>
+
+using namespace hand;
+
+namespace {
+
+template <class State, class Real = double>
+double pressure_at(double rho) {
+    Particle<3, Number<Real>> a(water());
+    a.set(density, Number<Real>(rho));
+    return plain(State{}(a));
+}
+
+double tait_by_hand(double rho, double gamma) {
+    return 1000.0 * 30 * 30 / gamma * (std::pow(rho / 1000.0, gamma) - 1);
+}
+
+} // namespace
+
+TEST_CASE("Tait is the paper's Eq. (8)") {
+    for (const double rho : {900.0, 990.0, 1000.5, 1010.0, 1100.0}) {
+        CHECK(pressure_at<Tait<>>(rho) == Approx(tait_by_hand(rho, 7)).epsilon(1e-11));
+        CHECK(pressure_at<Tait<1>>(rho) == Approx(tait_by_hand(rho, 1)).epsilon(1e-11));
+        CHECK(pressure_at<Tait<4>>(rho) == Approx(tait_by_hand(rho, 4)).epsilon(1e-11));
+        CHECK(pressure_at<LinearState>(rho) == Approx(tait_by_hand(rho, 1)).epsilon(1e-11));
+    }
+    CHECK(pressure_at<Tait<>>(1000) == 0);
+    CHECK(pressure_at<LinearState>(1000) == 0);
+}
+
+TEST_CASE("Tait keeps the digits of float near the reference density") {
+    const double rho = 1000.0625; // a float without rounding
+    CHECK(relative_error(pressure_at<Tait<>, float>(rho), tait_by_hand(rho, 7)) < 1e-6);
+    // (rho/rho0)^7 - 1 in float, for comparison, has lost three digits there
+    const float ratio = static_cast<float>(rho) / 1000;
+    const double naive = 1000.0 * 900 / 7 * static_cast<double>(power<7>(ratio) - 1);
+    CHECK(relative_error(naive, tait_by_hand(rho, 7)) > 1e-5);
+}
+
+TEST_CASE("the acoustic limit is one spacing at the fastest wave and the fastest particle") {
+    const TimeStepInput in{H, 5e-4, 2, 0, 3};
+    CHECK(Tait<>::time_step_limit(water(), in) == Approx(5e-4 / 32).epsilon(1e-12));
+    CHECK(LinearState::time_step_limit(water(), in) == Approx(5e-4 / 32).epsilon(1e-12));
+    const double longitudinal = std::sqrt((950 * 31.6 * 31.6 + 4e6 / 3) / 950);
+    CHECK(LinearState::time_step_limit(sponge(), in) == Approx(5e-4 / (longitudinal + 2)).epsilon(1e-12));
+    CHECK(longitudinal > 1.5 * 31.6);
+    CHECK(std::string_view(Tait<>::limit_name) == "sound");
+    CHECK(std::string_view(LinearState::limit_name) == "sound");
+}
