@@ -27,7 +27,7 @@ public:
         const Run* end() const { return end_; }
     };
 
-    /// Makes room for n particles; runs are then appended block by block.
+    /// Makes room for n particles. A block keeps the memory it once had; how much of it is used, `finish` says.
     void resize(int n) {
         particles = n;
         nothing = n == 0;
@@ -37,8 +37,6 @@ public:
     /// No particle has a neighbour.
     void clear_all(int n) {
         resize(n);
-        for (auto& b : blocks)
-            b.clear();
         for (auto& e : ends)
             e = 0;
         nothing = true;
@@ -46,10 +44,8 @@ public:
     int size() const { return particles; }
     int block_count() const { return static_cast<int>(blocks.size()); }
     std::vector<Run>& block(int b) { return blocks[static_cast<std::size_t>(b)]; }
-    /// To be called after the runs of particle i have been appended to its block.
-    void finish(int i) {
-        ends[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(block(i / block_size).size());
-    }
+    /// Says that the runs of particle i end at `end` in its block, where those of the next one begin.
+    void finish(int i, std::uint32_t end) { ends[static_cast<std::size_t>(i)] = end; }
     /// The runs of particle i.
     Range operator[](int i) const {
         const Run* base = blocks[static_cast<std::size_t>(i / block_size)].data();
