@@ -21,7 +21,11 @@ struct Bits {
     std::array<std::uint64_t, 4> words{};
 
     static constexpr int capacity = 256;
-    constexpr void set(int k) { words[static_cast<std::size_t>(k / 64)] |= std::uint64_t{1} << (k % 64); }
+    /// Bits beyond the capacity are dropped: a scene that needs them is refused as too large.
+    constexpr void set(int k) {
+        if (k < capacity)
+            words[static_cast<std::size_t>(k / 64)] |= std::uint64_t{1} << (k % 64);
+    }
     constexpr bool test(int k) const { return words[static_cast<std::size_t>(k / 64)] >> (k % 64) & 1; }
     constexpr bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
     constexpr int count() const {
@@ -75,8 +79,8 @@ struct Plan {
     int size = 0;
     int rounds = 0;
     Fault fault = Fault::none;
-    int column = -1;           ///< the column at fault
-    int row = -1, other = -1;  ///< the rows at fault
+    int column = -1;          ///< the column at fault
+    int row = -1, other = -1; ///< the rows at fault
 
     constexpr int sweeps(int phase) const {
         int n = 0;
@@ -104,14 +108,10 @@ public:
             particle_loops();
             if (done.count() < static_cast<int>(n))
                 sweeps();
-            if (done.count() == before || plan.size > 40) {
-                plan.fault = Fault::cycle;
-                for (int r = 0; r < static_cast<int>(n); ++r)
-                    if (!done.test(r)) {
-                        (plan.row < 0 ? plan.row : plan.other) = r;
-                        if (plan.other >= 0)
-                            break;
-                    }
+            if (plan.fault == Fault::too_large)
+                return plan;
+            if (done.count() == before) {
+                find_cycle();
                 return plan;
             }
             ++plan.rounds;
@@ -201,6 +201,45 @@ private:
         return true;
     }
 
+    // A row that row r waits for; -1 if there is none.
+    constexpr int waits_for(int r) const {
+        for (int c = 0; c < Bits::capacity; ++c)
+            if (row(r).reads.test(c))
+                for (int other = 0; other < static_cast<int>(n); ++other) {
+                    if (done.test(other))
+                        continue;
+                    if (providers[static_cast<std::size_t>(c)].test(other))
+                        return other;
+                    if (row(other).advances && row(other).sets.test(c) && !row(r).advances && !ancestors.test(r))
+                        return other;
+                }
+        if (row(r).advances)
+            for (int other = 0; other < static_cast<int>(n); ++other)
+                if (ancestors.test(other) && !done.test(other) && (row(other).reads & row(r).sets).any())
+                    return other;
+        return -1;
+    }
+
+    // Nothing is ready any more. Whoever follows the waiting from row to row ends up going round in a circle: two
+    // neighbours on it are the rows at fault, not the innocent ones that wait for them.
+    constexpr void find_cycle() {
+        int r = 0;
+        while (done.test(r) || waits_for(r) < 0)
+            ++r;
+        for (std::size_t k = 0; k < n; ++k)
+            r = waits_for(r);
+        plan.fault = Fault::cycle;
+        plan.row = r;
+        plan.other = waits_for(r) == r ? -1 : waits_for(r);
+    }
+
+    constexpr void append(const Step& step) {
+        if (plan.size == static_cast<int>(plan.steps.size())) {
+            plan.fault = Fault::too_large;
+            return;
+        }
+        plan.steps[static_cast<std::size_t>(plan.size++)] = step;
+    }
     constexpr void append(Step& step, int r) {
         if (step.size == static_cast<int>(step.rows.size())) {
             plan.fault = Fault::too_large;
@@ -227,7 +266,7 @@ private:
                             grew = true;
                         }
                 }
-                plan.steps[static_cast<std::size_t>(plan.size++)] = step;
+                append(step);
             }
         }
     }
@@ -273,7 +312,7 @@ private:
                 swept.set(r);
             }
         if (step.size > 0)
-            plan.steps[static_cast<std::size_t>(plan.size++)] = step;
+            append(step);
     }
 };
 
