@@ -101,13 +101,18 @@ IMBIBE_INLINE void gaps(const Grid<dim>& grid, int d, int c, double x, double (&
 } // namespace detail
 
 /// For every target point, the runs of source points nearer than `support`. The sources are in the order of `table`.
-/// Runs may hold points beyond the support as well: compact kernels give them zero.
+/// Runs may hold points beyond the support as well: compact kernels give them zero. Targets outside a periodic box
+/// (those of a total-Lagrangian phase are not wrapped) are moved into it first, so the images of their runs are those
+/// seen from there; the pair loop does the same.
 template <int width, int dim, class Real>
 void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim, Real>& sources,
                const Grid<dim>& grid, const CellTable& table, double support, int threads) {
     list.resize(targets.n);
     const Real support2 = static_cast<Real>(support * support);
     const int n = grid.n(0);
+    const auto place = [&](Real x, int d) {
+        return grid.wraps(d) ? into_period(x, static_cast<Real>(grid.lower(d)), static_cast<Real>(grid.length(d))) : x;
+    };
     const double per_cell = 1 / grid.width(0), slack = 1e-6 * support;
     parallel_for(list.block_count(), threads, [&](int block) {
         std::vector<Run>& runs = list.block(block);
@@ -118,7 +123,7 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
         for (int i = block * RunList::block_size; i < end; ++i) {
             double at[3] = {};
             for (int d = 0; d < dim; ++d)
-                at[d] = static_cast<double>(targets.x[static_cast<std::size_t>(d)][i]);
+                at[d] = static_cast<double>(place(targets.x[static_cast<std::size_t>(d)][i], d));
             const int y = grid.cell(1, at[1]), z = dim == 3 ? grid.cell(dim - 1, at[dim - 1]) : 0;
             if (y != row_y || z != row_z) { // sorted targets share their rows with the one before
                 row_count = detail::near_rows(grid, y, z, rows);
