@@ -54,7 +54,7 @@ inline void spread_distance(std::vector<double>& line, std::vector<double>& valu
 /// Found on a lattice of cells of about `cell` metres: distance of every open cell to the solid, then cells joined
 /// from the widest down until the two faces are connected. Right within one and a half cells: up to one too wide,
 /// because distances run between centres of cells, and up to one and a half too narrow where the middle of a pore lies
-/// between them. Takes about 25 bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of
+/// between them. Takes about 20 bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of
 /// range or more than 1e8 cells result.
 template <AnyShape S>
 [[nodiscard]] double widest_passage(const S& solid, int axis, double cell) {

@@ -37,7 +37,7 @@ class TriplyPeriodic {
 public:
     /// Throws Error if the cell is not finite and > 0 m or longer than a side of the box, or if with this fraction
     /// the pores close or the solid falls into separate pieces. The message gives the possible range (about 0.21 to
-    /// 0.79 for Schwarz P and 0.03 to 0.97 for the gyroid as networks).
+    /// 0.79 for Schwarz P and 0.02 to 0.98 for the gyroid as networks).
     TriplyPeriodic(const Box<3>& box, const PeriodicSponge& sponge) : box_{box}, sponge_{sponge} {
         require(box.bounded(), "TriplyPeriodic: the box must be bounded. Give two corners.");
         detail::require_positive("TriplyPeriodic", "cell", sponge.cell, "Give the edge of a cell in metres.");
