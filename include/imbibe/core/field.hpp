@@ -25,6 +25,8 @@ template <Rank r>
 struct Field {
     static constexpr Rank rank = r;
     static constexpr bool given = false;
+    /// Is it written to output files? States (fields that are given or integrated) always are.
+    static constexpr bool shown = false;
 };
 
 /// The rate of change of a field in time. A field to whose rate some term adds is integrated by the solver.

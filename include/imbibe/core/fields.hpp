@@ -41,6 +41,7 @@ inline constexpr Rate<Density> density_rate{};
 /// Pressure, Pa.
 struct Pressure : Field<Rank::scalar> {
     static constexpr std::string_view name = "pressure", unit = "Pa";
+    static constexpr bool shown = true;
 };
 inline constexpr Pressure pressure{};
 

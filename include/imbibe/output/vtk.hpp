@@ -130,7 +130,7 @@ inline std::string_view byte_order() {
 class VtkFile {
 public:
     /// `position` has 2 or 3 components, m; 2D points are written with z = 0. Throws Error for anything else.
-    VtkFile(std::size_t particles, VtkArray position) : particles_(particles), position_(std::move(position)) {
+    VtkFile(std::size_t particles, VtkArray where) : particles_(particles), position_(std::move(where)) {
         require(position_.columns.size() == 3, "VTK file: position has ", position_.columns.size(),
                 " components; make it with VtkArray::vector(name, unit, dim, data, stride)");
         require(!std::holds_alternative<const std::int32_t*>(position_.data) &&

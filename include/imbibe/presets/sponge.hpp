@@ -35,7 +35,8 @@ namespace imbibe::presets {
 /// The numbers of the scene, in SI units. The defaults are the paper's first case.
 struct SpongeCase {
     double pore_radius = 1e-3;     ///< m
-    double support_radius = 1e-3;  ///< H, m (`PaperSponge`; `SoundSponge` takes 2.6 spacings of each phase)
+    double support_radius = 1e-3;  ///< H, m (`PaperSponge`)
+    double support_ratio = 2.6;    ///< H in spacings of each phase (`SoundSponge`)
     double water_spacing = 0.8e-3; ///< m
     double solid_spacing = 0.5e-3; ///< m
     double gap = 4.5e-3;           ///< between the lowest water particles and the highest of the sponge, m
@@ -76,6 +77,7 @@ struct SpongeCase {
         require(pore_radius < 3.5e-3, "pore radius = ", pore_radius,
                 " m; it must be below 3.5e-3 m, half the distance of the pores");
         positive(support_radius, "support radius", "m");
+        positive(support_ratio, "support ratio", "spacings");
         positive(water_spacing, "water spacing", "m");
         positive(solid_spacing, "solid spacing", "m");
         positive(gap, "gap", "m");
@@ -183,7 +185,7 @@ struct SoundSponge {
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
         c.check();
-        const double reach = 2.6 * c.water_spacing, sound_speed = 10 * c.fall_speed();
+        const double reach = c.support_ratio * c.water_spacing, sound_speed = 10 * c.fall_speed();
         Scene<Real> scene(c.settings(reach));
         Water water{{.density = 1000, .sound_speed = sound_speed, .viscosity = c.viscosity}};
         water.set(MonaghanViscosityParameters{.alpha = 0.02});
@@ -191,7 +193,7 @@ struct SoundSponge {
         Sponge sponge{{.density = 950,
                        .sound_speed = sound_speed_of(c.young_modulus, c.poisson_ratio, 950),
                        .shear_modulus = shear_modulus_of(c.young_modulus, c.poisson_ratio),
-                       .support_radius = 2.6 * c.solid_spacing}};
+                       .support_radius = c.support_ratio * c.solid_spacing}};
         const auto slab = scene.add(sponge, c.sponge(), c.solid_spacing);
         scene.hold(slab, [&](const Point<3>& x) { return c.clamped(x); });
         scene.add(Vessel{{.density = 1000}}, c.vessel(reach), c.water_spacing);

@@ -8,6 +8,7 @@ namespace imbibe {
 /// Displacement from the stress-free position, u = x - X, m.
 struct DisplacementField : Field<Rank::vector> {
     static constexpr std::string_view name = "displacement", unit = "m";
+    static constexpr bool shown = true;
 };
 inline constexpr DisplacementField displacement{};
 

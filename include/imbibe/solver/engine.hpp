@@ -249,6 +249,37 @@ public:
         return !any_periodic() && state<A>().bounds.far_from(state<B>().bounds, support<A, B>());
     }
 
+    /// Calls f(link) for every pair of phases that have neighbours in each other.
+    template <class F>
+    void for_each_link(const F& f) const {
+        std::apply([&](const auto&... link) { (f(link), ...); }, links);
+    }
+    /// The mean number of neighbours within the support, the particle itself not counted, over a sample of particles.
+    template <class L>
+    double mean_neighbours(const L& link) const {
+        const auto& a = state<typename L::A>();
+        const auto& b = state<typename L::B>();
+        if (a.size() == 0 || link.runs.is_empty())
+            return 0;
+        using Place = std::conditional_t<L::reference, ReferencePosition, Position>;
+        const auto targets = a.points_of(Place{});
+        const auto sources = L::reference ? b.points_of(Place{}) : seen_points(b);
+        const int stride = std::max(1, a.size() / 1000);
+        long long found = 0, sampled = 0;
+        for (int i = 0; i < a.size(); i += stride, ++sampled)
+            for (const search::Run run : link.runs[i])
+                for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
+                    double distance2 = 0;
+                    for (int d = 0; d < dim; ++d) {
+                        const auto k = static_cast<std::size_t>(d);
+                        distance2 += sq(static_cast<double>(targets.x[k][i]) -
+                                        search::image_step(run.shift, d) * periodic.length[k] -
+                                        static_cast<double>(sources.x[k][j]));
+                    }
+                    found += distance2 > 0 && distance2 < link.support * link.support;
+                }
+        return static_cast<double>(found) / static_cast<double>(sampled);
+    }
     std::size_t particle_bytes() const {
         std::size_t sum = 0;
         for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) { sum += s.bytes(); });

@@ -1,0 +1,52 @@
+// How far the particles of a phase have moved since a moment that one chooses.
+#pragma once
+
+#include <imbibe/solver/solver.hpp>
+
+namespace imbibe {
+
+/// Remembers where the particles of a phase are, by number, and measures from there; for any solid, total Lagrangian
+/// or not. Not for phases from which particles are removed and to which others are added.
+template <int dim>
+class DisplacementProbe {
+public:
+    template <class View>
+    explicit DisplacementProbe(const View& phase) : start(static_cast<std::size_t>(phase.size())) {
+        const auto x = phase[position];
+        for (int i = 0; i < phase.size(); ++i)
+            start.at(phase.ids()[static_cast<std::size_t>(i)]) = x.row(i).transpose().template cast<double>();
+    }
+    /// The mean of |x_a - x_a(0)|, m: the paper's average displacement, with the length of the vector.
+    template <class View>
+    double mean(const View& phase) const {
+        double total = 0;
+        each(phase, [&](const Eigen::Matrix<double, dim, 1>& u) { total += u.norm(); });
+        return total / phase.size();
+    }
+    /// The mean of x_a - x_a(0), m.
+    template <class View>
+    Eigen::Matrix<double, dim, 1> mean_vector(const View& phase) const {
+        Eigen::Matrix<double, dim, 1> total = Eigen::Matrix<double, dim, 1>::Zero();
+        each(phase, [&](const Eigen::Matrix<double, dim, 1>& u) { total += u; });
+        return total / phase.size();
+    }
+    /// The greatest |x_a - x_a(0)|, m.
+    template <class View>
+    double greatest(const View& phase) const {
+        double most = 0;
+        each(phase, [&](const Eigen::Matrix<double, dim, 1>& u) { most = std::max(most, u.norm()); });
+        return most;
+    }
+
+private:
+    template <class View, class F>
+    void each(const View& phase, const F& f) const {
+        const auto x = phase[position];
+        for (int i = 0; i < phase.size(); ++i)
+            f(Eigen::Matrix<double, dim, 1>(x.row(i).transpose().template cast<double>() -
+                                            start[phase.ids()[static_cast<std::size_t>(i)]]));
+    }
+    std::vector<Eigen::Matrix<double, dim, 1>> start;
+};
+
+} // namespace imbibe

@@ -1,0 +1,89 @@
+// The live line of a run: how far, how fast, what limits the step, how long still.
+#pragma once
+
+#include <imbibe/solver/solver.hpp>
+
+#include <chrono>
+#include <cstdio>
+
+namespace imbibe {
+
+/// Seconds as "1:02:03" or "2:03".
+inline std::string clock_text(double seconds) {
+    const long long s = seconds > 0 && seconds < 1e9 ? static_cast<long long>(seconds + 0.5) : 0;
+    char out[40];
+    if (s >= 3600)
+        std::snprintf(out, sizeof out, "%lld:%02lld:%02lld", s / 3600, s / 60 % 60, s % 60);
+    else
+        std::snprintf(out, sizeof out, "%lld:%02lld", s / 60, s % 60);
+    return out;
+}
+
+/// An observer for `run_until` that keeps one line of output up to date.
+class Progress {
+public:
+    /// @param end the time the run goes to, s
+    /// @param live rewrite the line in place (a terminal), or print a new one now and then (a file)
+    Progress(double end, bool live) : end_(end), live_(live), started_(Clock::now()), shown_(started_) {}
+
+    template <class Scene>
+    void operator()(const Scene& scene) {
+        const auto now = Clock::now();
+        const bool done = scene.time() >= end_ * (1 - 1e-12);
+        work_ += static_cast<double>(scene.particles());
+        if (first_) { // the first call comes before the first step
+            first_ = false;
+            work_ = 0;
+            begin_ = scene.time();
+        }
+        if (!done && seconds(shown_, now) < (live_ ? 0.5 : 20))
+            return;
+        shown_ = now;
+        const double wall = seconds(started_, now), share = (scene.time() - begin_) / (end_ - begin_);
+        std::printf("%s%5.1f %%  t %.4f s  step %lld  dt %.2e s (%s, %s)  %.2f M particle-steps/s  left %s%s",
+                    live_ ? "\r" : "", 100 * share, scene.time(), scene.steps(), scene.last_step().seconds,
+                    scene.last_step().reason.c_str(), scene.last_step().where.c_str(), work_ / wall * 1e-6,
+                    share > 0 ? clock_text(wall * (1 - share) / share).c_str() : "?",
+                    live_ && !done ? "   " : "\n");
+        std::fflush(stdout);
+    }
+    /// Wall time since the observer was made, s.
+    double wall_seconds() const { return seconds(started_, Clock::now()); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static double seconds(Clock::time_point a, Clock::time_point b) {
+        return std::chrono::duration<double>(b - a).count();
+    }
+    double end_, begin_ = 0, work_ = 0;
+    bool live_, first_ = true;
+    Clock::time_point started_, shown_;
+};
+
+/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s, and at the end.
+template <class F>
+class Every {
+public:
+    Every(double interval, F what) : interval_(interval), what_(std::move(what)) {
+        require(std::isfinite(interval) && interval > 0, "an output interval of ", interval, " s; it must be above 0 s");
+    }
+    template <class Scene>
+    void operator()(const Scene& scene) {
+        if (scene.time() < next_ * interval_ * (1 - 1e-9))
+            return;
+        what_(scene);
+        while (next_ * interval_ <= scene.time() * (1 + 1e-9))
+            ++next_;
+    }
+
+private:
+    double interval_;
+    F what_;
+    double next_ = 0;
+};
+template <class F>
+Every<F> every(double interval, F what) {
+    return Every<F>(interval, std::move(what));
+}
+
+} // namespace imbibe

@@ -1,0 +1,50 @@
+// Snapshots of a whole scene: a VTK series for each phase, with every field that is a state or says that it is shown.
+#pragma once
+
+#include <imbibe/output/vtk_series.hpp>
+#include <imbibe/solver/solver.hpp>
+
+#include <map>
+
+namespace imbibe {
+
+/// Writes `<folder>/<phase>_000000.vtp`, ... and `<folder>/<phase>.pvd` for every phase; the phase's name in lower case.
+class Snapshots {
+public:
+    /// Throws Error now, not at the first snapshot, if the folder cannot be written.
+    explicit Snapshots(std::filesystem::path folder) : folder_(std::move(folder)) { require_writable(folder_); }
+
+    /// One snapshot of the scene as it is.
+    template <class Scene>
+    void operator()(const Scene& scene) {
+        scene.engine().for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
+            write<typename Scene::Scene, P, Scene::dimension>(s, scene.time(), typename Scene::template FieldsOf<P>{});
+        });
+    }
+
+private:
+    std::filesystem::path folder_;
+    std::map<std::string, VtkSeries> series_;
+
+    template <class Composition, class P, int dim, class State, class... F>
+    void write(const State& s, double seconds, TypeList<F...>) {
+        std::string name = detail::type_name<P>();
+        for (char& c : name)
+            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        VtkFile file(static_cast<std::size_t>(s.size()),
+                     VtkArray::of("position", "m", Rank::vector, dim, s.field(position), s.stride()));
+        (add<Composition, P, dim, F>(file, s), ...);
+        static_assert(sizeof(std::uint32_t) == sizeof(std::int32_t));
+        file.add(VtkArray::scalar("id", "1", reinterpret_cast<const std::int32_t*>(s.ids.data())));
+        file.constant("spacing", s.material.spacing);
+        series_.try_emplace(name, folder_, name, VtkPrecision::single).first->second.write(seconds, file);
+    }
+    template <class Composition, class P, int dim, class F, class State>
+    static void add(VtkFile& file, const State& s) {
+        constexpr bool state = F::given || Composition::template integrated<P, F>();
+        if constexpr ((state || F::shown) && !std::is_same_v<F, Position>)
+            file.add(VtkArray::of(std::string(F::name), std::string(F::unit), F::rank, dim, s.field(F{}), s.stride()));
+    }
+};
+
+} // namespace imbibe

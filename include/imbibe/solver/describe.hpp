@@ -1,0 +1,96 @@
+// What a scene is made of, in words: effects, fields, bytes, rounds and sweeps, neighbours, limits of the step.
+#pragma once
+
+#include <imbibe/solver/solver.hpp>
+
+#include <chrono>
+#include <sstream>
+
+namespace imbibe {
+
+namespace detail {
+
+/// The name of a type with its template arguments, without the library's namespaces.
+template <class T>
+std::string full_type_name() {
+    std::string all = __PRETTY_FUNCTION__;
+    const auto begin = all.find("T = ") + 4;
+    all = all.substr(begin, all.find_last_of("];") - begin);
+    all = all.substr(0, all.find("; std::string"));
+    for (const char* noise : {"imbibe::presets::", "imbibe::", "{}", "()"})
+        for (auto at = all.find(noise); at != std::string::npos; at = all.find(noise))
+            all.erase(at, std::string_view(noise).size());
+    return all;
+}
+template <class... Term>
+std::string names_of(TypeList<Term...>) {
+    std::string names;
+    ((names += (names.empty() ? "" : ", ") + full_type_name<Term>()), ...);
+    return names.empty() ? "none" : names;
+}
+template <class... F>
+std::string field_names(TypeList<F...>) {
+    std::string names;
+    ((names += (names.empty() ? "" : ", ") + std::string(F::name)), ...);
+    return names;
+}
+
+} // namespace detail
+
+/// The report of a scene: which effects are on, what a particle stores, how the work is scheduled, how many neighbours
+/// there are, and what limits the time step. Prepares the scene for its first step.
+template <class Scene>
+std::string describe(Scene& scene) {
+    using Composition = typename Scene::Scene;
+    scene.prepare();
+    std::ostringstream out;
+    out << "Scene in " << Scene::dimension << "D, " << (sizeof(typename Scene::Real) == 4 ? "float" : "double")
+        << " in packs of " << Scene::width << ", " << scene.threads() << (scene.threads() == 1 ? " thread" : " threads")
+        << ", " << scene.particles() << " particles, support radius " << scene.settings().support_radius * 1e3 << " mm\n";
+    const auto& engine = scene.engine();
+    engine.for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
+        out << "  " << detail::type_name<P>() << ": " << s.size() << " particles, spacing " << s.material.spacing * 1e3
+            << " mm, " << State::component_total * sizeof(typename Scene::Real) << " bytes each\n    effects: "
+            << detail::names_of(typename P::terms{})
+            << "\n    fields:  " << detail::field_names(typename Scene::template FieldsOf<P>{}) << "\n    sweeps:  "
+            << Composition::plan.sweeps(Composition::template phase_index<P>) << " a step\n";
+    });
+    const auto coupling = [&]<class C>(std::type_identity<C>) {
+        out << "  " << detail::type_name<C>() << " (" << detail::type_name<typename C::First>() << ", "
+            << detail::type_name<typename C::Second>() << "): " << detail::names_of(typename C::terms{}) << "\n";
+    };
+    [&]<class... C>(TypeList<C...>) { (coupling(std::type_identity<C>{}), ...); }(typename Scene::Couplings{});
+    out << "Schedule: " << Composition::plan.rounds << " rounds, " << Composition::plan.size << " loops\n";
+    out << "Memory: " << static_cast<double>(engine.particle_bytes()) * 1e-6 << " MB for particles, "
+        << static_cast<double>(engine.list_bytes()) * 1e-6 << " MB for neighbours\n";
+    engine.for_each_link([&]<class L>(const L& link) {
+        const double mean = engine.mean_neighbours(link);
+        if (mean > 0)
+            out << "Neighbours: " << detail::type_name<typename L::A>() << " has " << mean << " of "
+                << detail::type_name<typename L::B>() << (L::reference ? " (reference)" : "") << " on average\n";
+    });
+    out << "Time step:";
+    for (const auto& limit : scene.time_step_limits())
+        out << " " << limit.seconds << " s (" << limit.reason << ", " << limit.where << ");";
+    const auto next = scene.next_step();
+    out << "\n  first step " << next.seconds << " s, from " << next.reason << " (" << next.where << ")\n";
+    for (const auto& warning : scene.warnings())
+        out << "Warning: " << warning << "\n";
+    return out.str();
+}
+
+/// How long the run to `end` would take at the pace of `steps` steps of a copy of the scene, wall seconds. Contacts that
+/// come later, or particles that leave, are not foreseen.
+template <class Scene>
+double estimate_wall_seconds(const Scene& scene, double end, int steps = 4) {
+    Scene copy = scene;
+    copy.step();
+    const double begin = copy.time();
+    const auto started = std::chrono::steady_clock::now();
+    for (int k = 0; k < steps; ++k)
+        copy.step();
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    return wall * (end - scene.time()) / (copy.time() - begin);
+}
+
+} // namespace imbibe
