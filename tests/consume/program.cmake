@@ -1,6 +1,7 @@
 # The program that each of these projects builds, and what imbibe::imbibe must not do to the project that takes it in.
 add_executable(program ${CMAKE_CURRENT_LIST_DIR}/program/main.cpp ${CMAKE_CURRENT_LIST_DIR}/program/other.cpp)
 target_link_libraries(program PRIVATE imbibe::imbibe)
+target_compile_options(program PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow) # a careful user's
 target_compile_definitions(program PRIVATE EXPECTED_VERSION="${EXPECTED_VERSION}")
 
 get_target_property(imbibe_target imbibe::imbibe ALIASED_TARGET)

@@ -15,6 +15,7 @@ foreach(way find_package add_subdirectory fetch_content)
             --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
                             -DCMAKE_PREFIX_PATH=${prefix} -DEigen3_DIR=${Eigen3_DIR}
                             -DIMBIBE_SOURCE=${PROJECT_SOURCE_DIR} -DEXPECTED_VERSION=${PROJECT_VERSION}
+                            -DCMAKE_COMPILE_WARNING_AS_ERROR=${IMBIBE_STRICT}
             --test-command program)
     set_tests_properties(consume_${way} PROPERTIES LABELS unit TIMEOUT 900)
 endforeach()
