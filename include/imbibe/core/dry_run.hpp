@@ -15,11 +15,20 @@ struct ReadsWhatItDoesNotDeclare {
 /// Rule: a term must not declare a field in `reads` that it never looks at (it would be loaded for nothing).
 template <class Field, class Term>
 struct DeclaresWhatItDoesNotRead {
-    static_assert(sizeof(Field) == 0, "imbibe: this term lists a field in `reads` that it never reads: remove it there");
+    static_assert(sizeof(Field) == 0,
+                  "imbibe: this term lists a field in `reads` that it never reads: remove it there");
 };
 } // namespace rules
 
 namespace detail {
+
+// Prints the rule's message, once: a class is completed when it is named as a base, and its static_assert fires. It is
+// not touched again, so that neither compiler has a second complaint.
+template <class Rule>
+constexpr bool break_rule() {
+    struct Broken : Rule {};
+    return true;
+}
 
 template <class Material>
 inline constexpr Material default_material{};
@@ -52,7 +61,7 @@ struct RecordingParticle {
     template <class F>
     constexpr auto operator[](F) const {
         if constexpr (!contains<F, Reads>)
-            static_assert(sizeof(rules::ReadsWhatItDoesNotDeclare<F, Part>) > 0);
+            break_rule<rules::ReadsWhatItDoesNotDeclare<F, Part>>();
         else
             seen[index_of<F, Reads>] = true;
         return sample_value<Value<F, dim, Scalar>>();
@@ -95,14 +104,14 @@ inline constexpr auto reads_on = dry_run<Part, dim, MaterialA, MaterialB>();
 template <class Part, bool is_read, class F>
 constexpr bool check_read() {
     if constexpr (!is_read)
-        static_assert(sizeof(rules::DeclaresWhatItDoesNotRead<F, Part>) > 0);
+        break_rule<rules::DeclaresWhatItDoesNotRead<F, Part>>();
     return true;
 }
 
 template <class Part, auto seen, class... F>
 constexpr bool check_all_read(TypeList<F...>) {
     using List = TypeList<F...>;
-    return (check_read<Part, seen.a[index_of<F, List>] || seen.b[index_of<F, List>], F>() && ...);
+    return (check_read < Part, seen.a[index_of<F, List>] || seen.b[index_of<F, List>], F > () && ...);
 }
 
 } // namespace detail

@@ -13,29 +13,40 @@ namespace imbibe {
 template <int dim, class... Items>
 struct Composition {
     using All = TypeList<Items...>;
-    using Phases = detail::Filter<detail::KeepPhases, All>;
-    using Couplings = detail::Filter<detail::KeepCouplings, All>;
+    using Couplings = detail::Unique<detail::Filter<detail::KeepCouplings, All>>;
+    /// The phases listed. Those a coupling names should be among them: where one is not, it is added, so that after
+    /// the rule's one error everything else compiles.
+    using Phases = detail::Unique<
+        detail::Concat<detail::Filter<detail::KeepPhases, All>, typename detail::PhasesNamed<Couplings>::type>>;
 
     template <class P>
     static constexpr bool check_listed_once() {
         if constexpr (((std::is_same_v<P, Items> ? 1 : 0) + ...) > 1)
-            return sizeof(rules::SamePhaseTwice<P, list_each_phase_and_coupling_once>) > 0;
+            return detail::break_rule<rules::SamePhaseTwice<P, list_each_phase_and_coupling_once>>();
         else
             return true;
     }
+    template <class P, class C, class Allowed>
+    static constexpr bool check_named() {
+        if constexpr (!detail::contains<P, Allowed>)
+            return detail::break_rule<rules::NoSuchPhase<P, C, list_every_phase_of_a_coupling_in_the_solver>>();
+        else
+            return true;
+    }
+    template <class C, class... P>
+    static constexpr bool check_targets(TypeList<P...>) {
+        using Two = TypeList<typename C::First, typename C::Second>;
+        return (check_named<P, C, Two>() && ...);
+    }
     template <class C>
     static constexpr bool check_phases_of() {
-        if constexpr (detail::IsCoupling<C>) {
-            if constexpr (!detail::contains<typename C::First, All>)
-                return sizeof(rules::NoSuchPhase<typename C::First, C, list_every_phase_of_a_coupling_in_the_solver>) > 0;
-            else if constexpr (!detail::contains<typename C::Second, All>)
-                return sizeof(rules::NoSuchPhase<typename C::Second, C, list_every_phase_of_a_coupling_in_the_solver>) >
-                       0;
-            else
-                return true;
-        } else {
+        if constexpr (!detail::IsCoupling<C>)
             return true;
-        }
+        else if constexpr (std::is_same_v<typename C::First, typename C::Second>)
+            return detail::break_rule<rules::SamePhaseTwice<typename C::First, list_each_phase_and_coupling_once>>();
+        else
+            return check_named<typename C::First, C, All>() && check_named<typename C::Second, C, All>() &&
+                   check_targets<C>(typename detail::TargetsOf<typename C::terms>::type{});
     }
     static constexpr bool items_fit = (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...);
 
@@ -56,8 +67,8 @@ struct Composition {
     template <class... F>
     struct AdvancedStates<TypeList<F...>> {
         template <class G>
-        using State = std::conditional_t<std::is_same_v<G, Rate<Velocity>>, TypeList<>,
-                                         typename detail::StateOfRate<G>::type>;
+        using State =
+            std::conditional_t<std::is_same_v<G, Rate<Velocity>>, TypeList<>, typename detail::StateOfRate<G>::type>;
         using type = detail::Concat<State<F>...>;
     };
     template <class P>
@@ -94,8 +105,7 @@ struct Composition {
     }
     template <class N>
     static constexpr bool declarations_fit =
-        detail::check_all_read<typename N::Part,
-                               detail::reads_on<typename N::Part, dim, typename N::A, typename N::B>>(
+        detail::check_all_read<typename N::Part, detail::reads_on<typename N::Part, dim, typename N::A, typename N::B>>(
             typename N::Reads{});
 
     template <class P, class F>
@@ -207,22 +217,22 @@ struct Composition {
             using N = detail::At<row, Rows>;
             using F = decltype(field_at_column<column_at_fault>(Phases{}));
             using P = detail::At<phase_of_column(column_at_fault), Phases>;
-            return sizeof(rules::NobodySets<F, typename N::Term, P,
-                                            add_a_term_that_sets_it_such_as_an_equation_of_state_for_pressure>) > 0;
+            return detail::break_rule<rules::NobodySets<
+                F, typename N::Term, P, add_a_term_that_sets_it_such_as_an_equation_of_state_for_pressure>>();
         } else if constexpr (fault == Fault::set_twice) {
             using N = detail::At<row, Rows>;
             using M = detail::At<other, Rows>;
             using F = decltype(field_at_column<column_at_fault>(Phases{}));
-            return sizeof(rules::SetTwice<F, typename N::Term, typename M::Term, typename N::A,
-                                          remove_one_of_the_two_terms>) > 0;
+            return detail::break_rule<
+                rules::SetTwice<F, typename N::Term, typename M::Term, typename N::A, remove_one_of_the_two_terms>>();
         } else if constexpr (fault == Fault::cycle) {
             using N = detail::At<row, Rows>;
             using M = detail::At<other, Rows>;
-            return sizeof(
-                       rules::Cycle<typename N::Term, typename M::Term, make_one_of_the_two_terms_read_something_else>) >
-                   0;
-        } else if constexpr (fault == Fault::too_large) {
-            return sizeof(rules::TooLarge<std::bool_constant<once>, use_fewer_terms_or_raise_the_limits_in_schedule_hpp>) > 0;
+            return detail::break_rule<
+                rules::Cycle<typename N::Term, typename M::Term, make_one_of_the_two_terms_read_something_else>>();
+        } else if constexpr (fault == Fault::too_large || (!once && starts[Phases::size] > Bits::capacity)) {
+            return detail::break_rule<
+                rules::TooLarge<std::bool_constant<once>, use_fewer_terms_or_raise_the_limits_in_schedule_hpp>>();
         } else {
             return true;
         }
@@ -237,9 +247,20 @@ struct Composition {
     static constexpr bool all_declarations_fit(TypeList<N...>) {
         return (declarations_fit<N> && ...);
     }
+    template <class N>
+    static constexpr bool check_neighbourhood() {
+        if constexpr (N::reference && !std::is_same_v<typename N::A, typename N::B>)
+            detail::break_rule<rules::ReferenceNeighboursInCoupling<
+                typename N::Term, typename N::Owner, give_the_term_to_the_phase_or_use_current_neighbours>>();
+        return true;
+    }
+    template <class... N>
+    static constexpr bool check_neighbourhoods(TypeList<N...>) {
+        return (check_neighbourhood<N>() && ...);
+    }
     /// True, or a compile error that names the broken rule.
-    static constexpr bool valid = items_fit && all_declarations_fit(Nodes{}) && check_plan<true>() &&
-                                  check_plan<false>();
+    static constexpr bool valid = items_fit && all_declarations_fit(Nodes{}) && check_neighbourhoods(Nodes{}) &&
+                                  check_plan<true>() && check_plan<false>();
 };
 
 } // namespace imbibe

@@ -14,8 +14,6 @@ struct Link {
     using A = A_;
     using B = B_;
     static constexpr bool reference = reference_;
-    static_assert(!reference || std::is_same_v<A, B>,
-                  "imbibe: a pair part with `neighbourhood = Reference` acts within one phase, not in a coupling");
     search::RunList runs;
     double support = 0; ///< m
 };

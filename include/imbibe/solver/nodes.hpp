@@ -48,6 +48,31 @@ inline constexpr bool is_advance = false;
 template <class P, class F>
 inline constexpr bool is_advance<Advance<P, F>> = true;
 
+// ---- the phases a coupling names --------------------------------------------------------------------------------
+
+template <class Term>
+struct TargetOf {
+    using type = TypeList<>;
+};
+template <class P, class Term>
+struct TargetOf<Into<P, Term>> {
+    using type = TypeList<P>;
+};
+/// The phases that the terms of a coupling are sent into.
+template <class Terms>
+struct TargetsOf;
+template <class... Term>
+struct TargetsOf<TypeList<Term...>> {
+    using type = Concat<typename TargetOf<Term>::type...>;
+};
+template <class Couplings>
+struct PhasesNamed;
+template <class... C>
+struct PhasesNamed<TypeList<C...>> {
+    using type =
+        Concat<TypeList<typename C::First, typename C::Second>..., typename TargetsOf<typename C::terms>::type...>;
+};
+
 // ---- filters ------------------------------------------------------------------------------------------------------
 
 template <template <class> class Keep, class List>
@@ -103,8 +128,7 @@ struct NodesOfCoupling<C, TypeList<Term...>> {
 
 // The same particle part on the same phase, asked for by several terms, runs once: the first one's coefficients.
 template <int dim, class N>
-inline constexpr bool is_pair_node =
-    is_pair_part<typename N::Part, dim, typename N::A, typename N::B>;
+inline constexpr bool is_pair_node = is_pair_part<typename N::Part, dim, typename N::A, typename N::B>;
 
 template <int dim, class Kept, class... Rest>
 struct MergeImpl {
@@ -132,8 +156,9 @@ struct CollectNodes;
 template <int dim, class... P, class... C>
 struct CollectNodes<dim, TypeList<P...>, TypeList<C...>> {
     using type =
-        typename MergeOf<dim, Filter<KeepUseful, Concat<typename NodesOfPhase<P, typename P::terms>::type...,
-                                                        typename NodesOfCoupling<C, typename C::terms>::type...>>>::type;
+        typename MergeOf<dim,
+                         Filter<KeepUseful, Concat<typename NodesOfPhase<P, typename P::terms>::type...,
+                                                   typename NodesOfCoupling<C, typename C::terms>::type...>>>::type;
 };
 
 // ---- the fields of a phase ----------------------------------------------------------------------------------------
@@ -176,8 +201,9 @@ struct StatesOfRates<TypeList<F...>> {
 
 template <int dim, class P, class N>
 struct FieldsFromNode {
-    using OnA = Concat<ReadsOnA<dim, N>, typename N::Sets, typename N::Adds, typename StatesOfRates<typename N::Adds>::type,
-                       std::conditional_t<N::reference, Fields<reference_position>, TypeList<>>>;
+    using OnA =
+        Concat<ReadsOnA<dim, N>, typename N::Sets, typename N::Adds, typename StatesOfRates<typename N::Adds>::type,
+               std::conditional_t<N::reference, Fields<reference_position>, TypeList<>>>;
     using OnB = Concat<ReadsOnB<dim, N>, std::conditional_t<N::reference, Fields<reference_position>, TypeList<>>>;
     using type = Concat<std::conditional_t<std::is_same_v<P, typename N::A>, OnA, TypeList<>>,
                         std::conditional_t<std::is_same_v<P, typename N::B>, OnB, TypeList<>>>;
@@ -196,8 +222,8 @@ template <int dim, class P, class... N>
 struct CollectFields<dim, P, TypeList<N...>> {
     // Everything has a position and a mass; what moves has a velocity and an acceleration.
     using Base = std::conditional_t<P::moves, Fields<position, velocity, acceleration, mass>, Fields<position, mass>>;
-    using type = Unique<Concat<Base, typename StoredByTerms<P, typename P::terms>::type,
-                               typename FieldsFromNode<dim, P, N>::type...>>;
+    using type = Unique<
+        Concat<Base, typename StoredByTerms<P, typename P::terms>::type, typename FieldsFromNode<dim, P, N>::type...>>;
 };
 
 // ---- columns ------------------------------------------------------------------------------------------------------

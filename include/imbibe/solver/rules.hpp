@@ -9,6 +9,7 @@ struct add_a_term_that_sets_it_such_as_an_equation_of_state_for_pressure;
 struct remove_one_of_the_two_terms;
 struct list_every_phase_of_a_coupling_in_the_solver;
 struct list_each_phase_and_coupling_once;
+struct give_the_term_to_the_phase_or_use_current_neighbours;
 struct make_one_of_the_two_terms_read_something_else;
 struct use_fewer_terms_or_raise_the_limits_in_schedule_hpp;
 
@@ -37,10 +38,15 @@ template <class Phase, class Coupling, class Advice>
 struct NoSuchPhase {
     static_assert(never<Phase>, "imbibe: this coupling names a phase that the scene does not have");
 };
+/// Rule: a sum over the neighbours of the stress-free configuration is one within a phase.
+template <class Term, class Coupling, class Advice>
+struct ReferenceNeighboursInCoupling {
+    static_assert(never<Term>, "imbibe: a coupling has no reference neighbours, a phase keeps those of its own only");
+};
 /// Rule: phases are told apart by their type, so each appears once.
 template <class Phase, class Advice>
 struct SamePhaseTwice {
-    static_assert(never<Phase>, "imbibe: the scene lists this phase or coupling twice");
+    static_assert(never<Phase>, "imbibe: this phase or coupling is listed twice, or a phase is coupled to itself");
 };
 /// Rule: a scene fits into the schedule's tables.
 template <class EvaluatedOnce, class Advice>

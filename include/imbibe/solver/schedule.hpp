@@ -26,7 +26,9 @@ struct Bits {
         if (k < capacity)
             words[static_cast<std::size_t>(k / 64)] |= std::uint64_t{1} << (k % 64);
     }
-    constexpr bool test(int k) const { return words[static_cast<std::size_t>(k / 64)] >> (k % 64) & 1; }
+    constexpr bool test(int k) const {
+        return k < capacity && (words[static_cast<std::size_t>(k / 64)] >> (k % 64) & 1);
+    }
     constexpr bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
     constexpr int count() const {
         int n = 0;

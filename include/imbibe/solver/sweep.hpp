@@ -6,7 +6,8 @@
 
 namespace imbibe::detail {
 
-/// One particle, or a pack of consecutive ones, as a part sees them. Only declared fields can be read.
+/// One particle, or a pack of consecutive ones, as a part sees them. That only declared fields are read, the dry run
+/// has checked.
 template <class N, class P, class List, int dim, class Real, int width, bool broadcast>
 struct ParticleView {
     using Material = P;
@@ -20,7 +21,6 @@ struct ParticleView {
 
     template <class F>
     IMBIBE_INLINE auto operator[](F) const {
-        static_assert(contains<F, typename N::Reads>);
         constexpr int first = component_offset<dim, F, List>;
         Value<F, dim, Scalar> v;
         for (int k = 0; k < components(F::rank, dim); ++k) {

@@ -1,0 +1,12 @@
+// A fluid without an equation of state: nobody sets the pressure that the pressure gradient reads.
+// expect: NobodySets<imbibe::Pressure, imbibe::SymmetricPressure<imbibe::WendlandC2>, Water,
+// expect: add_a_term_that_sets_it
+#include "scene.hpp"
+
+struct Water : sph::Fluid<sph::Continuity<K>, sph::SymmetricPressure<K>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    scene.run_until(1);
+}
