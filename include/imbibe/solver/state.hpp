@@ -28,8 +28,9 @@ template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
 /// Eigen's view of one field of all particles: n rows, one column per component, no copy.
-template <class Real, int columns>
-using FieldView = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, columns>, 0, Eigen::OuterStride<>>;
+/// @tparam Numbers Eigen::Matrix or const Eigen::Matrix
+template <class Numbers>
+using FieldView = Eigen::Map<Numbers, 0, Eigen::OuterStride<>>;
 
 /// @tparam List the fields of the phase
 template <class P, class List, int dim, class Real>
@@ -62,14 +63,15 @@ public:
     auto view(F) {
         static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
         constexpr int columns = components(F::rank, dim);
-        return FieldView<Real, columns>(field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+        return FieldView<Eigen::Matrix<Real, Eigen::Dynamic, columns>>(
+            field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
     }
     template <class F>
     auto view(F) const {
         static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
         constexpr int columns = components(F::rank, dim);
-        return FieldView<const Real, columns>(field(F{}), n, columns,
-                                              Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+        return FieldView<const Eigen::Matrix<Real, Eigen::Dynamic, columns>>(
+            field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
     }
     search::Points<dim, Real> points() const { return points_of(position); }
     template <class F>
@@ -112,7 +114,7 @@ public:
                 to[i] = from[order[i]];
                     });
         values.swap(spare);
-        std::vector<std::uint32_t> moved(ids.size());
+        std::vector<std::uint32_t> moved(order.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             moved[i] = ids[order[i]];
         ids.swap(moved);
