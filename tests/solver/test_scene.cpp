@@ -17,7 +17,7 @@
 #include <numbers>
 #include <random>
 
-namespace {
+namespace scene_test {
 
 namespace sph = imbibe;
 using K = sph::WendlandC2;
@@ -29,7 +29,7 @@ using Points3 = std::vector<DropScene::Point>;
 
 const Drop drop{{.density = 1000, .sound_speed = 10}};
 
-Points3 ball(double spacing, double radius) {
+inline Points3 ball(double spacing, double radius) {
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> jitter(-0.2, 0.2);
     Points3 points;
@@ -71,7 +71,9 @@ constexpr bool stores(auto field) {
     return sph::detail::contains<std::remove_cvref_t<decltype(field)>, typename Scene::template FieldsOf<P>>;
 }
 
-} // namespace
+} // namespace scene_test
+
+using namespace scene_test;
 
 TEST_CASE("What is off is not stored", "[scene]") {
     static_assert(std::is_same_v<StoneScene::FieldsOf<Stone>,
