@@ -20,8 +20,8 @@ struct AlignedAllocator {
     AlignedAllocator() = default;
     template <class U>
     AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
-    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
+    void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
     friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
 };
 template <class T>
@@ -112,7 +112,7 @@ public:
             Real* to = spare.data() + static_cast<std::size_t>(k) * step;
             for (std::size_t i = 0; i < order.size(); ++i)
                 to[i] = from[order[i]];
-                    });
+        });
         values.swap(spare);
         std::vector<std::uint32_t> moved(order.size());
         for (std::size_t i = 0; i < order.size(); ++i)
