@@ -55,9 +55,10 @@ struct NearRow {
     int image, step_y, step_z;
 };
 
-/// The rows around the cell (y, z) of a grid; in two dimensions z is 0 and there are no rows above and below.
+/// The rows around the cell (y, z) of a grid that are not empty; in two dimensions z is 0 and there are no rows above
+/// and below.
 template <int dim>
-int near_rows(const Grid<dim>& grid, int y, int z, NearRow (&rows)[9]) {
+int near_rows(const Grid<dim>& grid, const CellTable& table, int y, int z, NearRow (&rows)[9]) {
     // The cell that step k leads to along d and the digit of its periodic image; -1 where there is none.
     const auto around = [&](int d, int c, int& image) {
         image = 0;
@@ -82,7 +83,9 @@ int near_rows(const Grid<dim>& grid, int y, int z, NearRow (&rows)[9]) {
                 continue;
             const std::size_t row =
                 static_cast<std::size_t>(cell_z) * static_cast<std::size_t>(grid.n(1)) + static_cast<std::size_t>(cell_y);
-            rows[count++] = {row * static_cast<std::size_t>(grid.n(0)), 3 * image_y + 9 * image_z, step_y, step_z};
+            const std::size_t first = row * static_cast<std::size_t>(grid.n(0));
+            if (table.start(first) != table.start(first + static_cast<std::size_t>(grid.n(0))))
+                rows[count++] = {first, 3 * image_y + 9 * image_z, step_y, step_z};
         }
     }
     return count;
@@ -126,9 +129,13 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
                 at[d] = static_cast<double>(place(targets.x[static_cast<std::size_t>(d)][i], d));
             const int y = grid.cell(1, at[1]), z = dim == 3 ? grid.cell(dim - 1, at[dim - 1]) : 0;
             if (y != row_y || z != row_z) { // sorted targets share their rows with the one before
-                row_count = detail::near_rows(grid, y, z, rows);
+                row_count = detail::near_rows(grid, table, y, z, rows);
                 row_y = y;
                 row_z = z;
+            }
+            if (row_count == 0) {
+                list.finish(i, static_cast<std::uint32_t>(to - runs.data()));
+                continue;
             }
             double gap2_y[3], gap2_z[3] = {};
             detail::gaps(grid, 1, y, at[1], gap2_y);
@@ -153,7 +160,7 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
                     }
                     Vector<Real, dim> seen;
                     for (int d = 0; d < dim; ++d)
-                        seen[d] = static_cast<Real>(at[d] - image_step(image, d) * grid.length(d));
+                        seen[d] = static_cast<Real>(image == 0 ? at[d] : at[d] - image_step(image, d) * grid.length(d));
                     to = detail::append_runs<width, dim, Real>(to, sources, seen, support2, begin, stop, image);
                 };
                 if (low < n && high >= 0)
