@@ -52,6 +52,7 @@ struct SpongeCase {
     double drain = 30e-3;          ///< how far below the slab water leaves the scene, m
     bool strip = false;            ///< one row of pores, periodic in y, instead of five rows in a tank
     double pool = 0;               ///< m; above 0: water that fills the tank to this height instead of the paper's block
+    double wall_gap = 0;           ///< between a pool and the walls, m; `PaperSponge` needs a support radius (K_f)
     int threads = 0;               ///< 0: all of the machine
 
     int rows() const { return strip ? 1 : 5; }
@@ -91,9 +92,8 @@ struct SpongeCase {
     }
     std::vector<Point<3>> water() const {
         if (pool > 0 || strip) {
-            // Layers of whole particles: the lattice is fitted to the period in y and to the length in x.
-            const Box<3> box{{0, 0, water_bottom() - water_spacing / 2},
-                             {length(), width(), water_bottom() - water_spacing / 2 + water_height()}};
+            const double across = strip ? 0 : wall_gap, low = water_bottom() - water_spacing / 2;
+            const Box<3> box{{wall_gap, across, low}, {length() - wall_gap, width() - across, low + water_height()}};
             return fill(box, water_spacing);
         }
         const double side = 31 * water_spacing, x = length() / 2, y = width() / 2, z = water_bottom() - water_spacing / 2;
@@ -147,6 +147,7 @@ struct PaperSponge {
         c.check();
         if (c.time_step == 0)
             c.time_step = 1e-5; // the paper's
+        c.wall_gap = c.support_radius; // the distance at which K_f lets water come to rest
         Scene<Real> scene(c.settings(c.support_radius));
         scene.add(Water{{.density = 1000, .sound_speed = 30, .viscosity = c.viscosity}}, c.water(), c.water_spacing);
         Sponge sponge{{.density = 950, .sound_speed = 31.6, .shear_modulus = c.shear_modulus}};

@@ -1,0 +1,22 @@
+// A column of water collapses in a tank. Run it, then open out-dam-break/water.pvd in ParaView.
+#include <imbibe/imbibe.hpp>
+namespace sph = imbibe;
+using K = sph::WendlandC2;
+
+struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
+                          sph::MonaghanViscosity<K>> {};
+struct Tank : sph::Wall<> {};
+struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
+using Scene = sph::Solver<3, double, sph::SymplecticEuler, Water, Tank, Sides>;
+
+int main() {
+    const double dx = 0.02, end = 1.0;
+    Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx});
+    Water water{{.density = 1000, .sound_speed = 45}};
+    water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
+    scene.add(water, sph::fill(sph::Box<3>({0, 0, 0}, {0.5, 0.3, 0.5}), dx), dx);
+    scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<3>({0, 0, 0}, {1.6, 0.3, 0.8}), dx, 3, sph::Sides::z_high), dx);
+    std::printf("%s", sph::describe(scene).c_str());
+    scene.run_until(end, sph::Progress(end, true), sph::every(0.02, sph::Snapshots("out-dam-break")));
+}
