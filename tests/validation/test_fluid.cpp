@@ -79,21 +79,31 @@ struct Column {
                         [&](const StillScene&) { greatest = std::max(greatest, kinetic()); });
         return greatest;
     }
-    Deviation deviation() const {
-        const auto view = scene[water];
+    /// Of the mean over time until `end`, in units of t sqrt(g/H).
+    Deviation deviation_until(double end) {
+        const auto number = static_cast<std::size_t>(scene[water].size());
+        std::vector<double> excess(number), height(number); // of each particle, in the order it was added
+        double samples = 0;
+        scene.run_until(end * std::sqrt(side / g), [&](const StillScene&) {
+            const auto view = scene[water];
+            for (int i = 0; i < view.size(); ++i) {
+                const auto id = view.ids()[static_cast<std::size_t>(i)];
+                height[id] += view[sph::position](i, 1);
+                excess[id] += (view[sph::pressure](i) + rho * g * view[sph::position](i, 1)) / weight - 1;
+            }
+            ++samples;
+        });
         double sum = 0, worst = 0;
-        int number = 0;
-        for (int i = 0; i < view.size(); ++i) {
-            const double y = view[sph::position](i, 1);
-            const double off = (view[sph::pressure](i) + rho * g * y) / weight - 1;
-            worst = std::max(worst, std::abs(off));
-            if (y < spacing) {
-                sum += off;
-                ++number;
+        int lowest = 0;
+        for (std::size_t id = 0; id < number; ++id) {
+            worst = std::max(worst, std::abs(excess[id] / samples));
+            if (height[id] / samples < spacing) {
+                sum += excess[id] / samples;
+                ++lowest;
             }
         }
-        REQUIRE(number >= 18); // a row of the lattice has 20
-        return {sum / number, worst};
+        REQUIRE(lowest >= 18); // a row of the lattice has 20
+        return {sum / lowest, worst};
     }
 };
 
@@ -106,7 +116,9 @@ TEST_CASE("Water at rest bears its weight and comes to rest", "[fluid]") {
     std::array<double, 5> kinetic{};
     for (std::size_t k = 0; k < kinetic.size(); ++k)
         kinetic[k] = column.greatest_kinetic_until(10.0 * static_cast<double>(k + 1));
-    const auto off = column.deviation();
+    // The column goes on breathing for a while: 1e-2 J of it are 3 % of the pressure at the bottom, up and down. So the
+    // pressure is that of the mean over 18 periods, of 4 H/c each.
+    const auto off = column.deviation_until(55);
     CAPTURE(kinetic[0], kinetic[1], kinetic[2], kinetic[3], kinetic[4], off.bottom, off.worst);
     CHECK(std::abs(off.bottom) < 0.01);
     CHECK(off.worst < 0.01);
@@ -193,9 +205,9 @@ struct WaterInTank : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExt
 using DamScene = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, WaterInTank>;
 
 // The water of the experiment starts late (a gate is pulled up) and rubs on the floor; this one does neither. It is
-// 5 to 9 % ahead until T = 1.6 and then up to 21 %, more than the 5 to 10 % that is usual, hardly depending on spacing,
-// support, DensityFloor or suction. The band of 25 % was chosen after that was measured; being ahead at all was asked
-// for before. The limit on the speed and the energy are the sharp part of the test.
+// 5 to 10 % ahead until T = 1.6 and then up to 21 %, more than the 5 to 10 % that is usual; without DensityFloor and
+// with suction it is the same, at L/16 two or three per cent less, at L/64 one or two more. The band of 25 % was chosen
+// after that was measured; that it is ahead at all, the limit on the speed and the energy were not.
 TEST_CASE("The front of a dam break is ahead of the experiment, and not too fast", "[fluid]") {
     constexpr double L = 0.146, H = 2 * L, g = 9.81, spacing = L / 32;
     // T = t sqrt(2 g/L) and Z = x/L, as read from the experiment.
