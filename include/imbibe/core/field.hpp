@@ -37,13 +37,6 @@ struct Rate : Field<F::rank> {
     static constexpr std::string_view unit = F::rate_unit;
 };
 
-namespace detail {
-template <class F>
-inline constexpr bool is_rate = false;
-template <class F>
-inline constexpr bool is_rate<Rate<F>> = true;
-} // namespace detail
-
 /// How many numbers a field of this rank has per particle in `dim` dimensions.
 constexpr int components(Rank rank, int dim) {
     switch (rank) {
