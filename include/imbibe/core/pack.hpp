@@ -67,6 +67,51 @@ struct MaskStorage<Real, 1> {
     using type = bool;
 };
 
+/// Is a pack of this kind one whole AVX-512 register?
+template <class Real, int width>
+inline constexpr bool fills_avx512 =
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+    width * sizeof(Real) == 64;
+#else
+    false;
+#endif
+
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+// Quotient and root from the processor's estimates of 14 bits and Newton's steps, each of which doubles them. The
+// zero-masking forms with a full mask are the plain instructions; g++ 12 warns of an uninitialised value inside its own
+// header for the unmasked ones.
+using Floats = typename PackStorage<float, 16>::type;
+using Doubles = typename PackStorage<double, 8>::type;
+
+IMBIBE_INLINE Floats divide(Floats a, Floats b) {
+    const auto y = Floats(_mm512_maskz_rcp14_ps(0xffff, __m512(b)));
+    const Floats quotient = a * y;
+    return quotient + y * (a - b * quotient);
+}
+IMBIBE_INLINE Doubles divide(Doubles a, Doubles b) {
+    auto y = Doubles(_mm512_maskz_rcp14_pd(0xff, __m512d(b)));
+    y += y * (1.0 - b * y);
+    const Doubles quotient = a * y;
+    return quotient + y * (a - b * quotient);
+}
+// The floor keeps the estimate finite at 0, where the result is x times it.
+IMBIBE_INLINE Floats root(Floats x) {
+    const auto least = _mm512_set1_ps(1e-37f);
+    const auto y = Floats(_mm512_maskz_rsqrt14_ps(0xffff, _mm512_maskz_max_ps(0xffff, __m512(x), least)));
+    const Floats estimate = x * y;
+    return estimate + 0.5f * y * (x - estimate * estimate);
+}
+IMBIBE_INLINE Doubles root(Doubles x) {
+    const auto least = _mm512_set1_pd(1e-300);
+    const auto y = Doubles(_mm512_maskz_rsqrt14_pd(0xff, _mm512_maskz_max_pd(0xff, __m512d(x), least)));
+    Doubles estimate = x * y, half = 0.5 * y;
+    const Doubles error = 0.5 - estimate * half;
+    estimate += estimate * error;
+    half += half * error;
+    return estimate + half * (x - estimate * estimate);
+}
+#endif
+
 } // namespace detail
 
 /// The outcome of comparing two packs: one truth value per lane.
@@ -128,7 +173,15 @@ struct Pack {
     friend IMBIBE_INLINE constexpr Pack operator+(Pack a, Pack b) { return made(a.lanes + b.lanes); }
     friend IMBIBE_INLINE constexpr Pack operator-(Pack a, Pack b) { return made(a.lanes - b.lanes); }
     friend IMBIBE_INLINE constexpr Pack operator*(Pack a, Pack b) { return made(a.lanes * b.lanes); }
-    friend IMBIBE_INLINE constexpr Pack operator/(Pack a, Pack b) { return made(a.lanes / b.lanes); }
+    /// Correctly rounded, but for whole AVX-512 registers, where it is by a reciprocal that is improved to the last bit
+    /// or the one before it: the divider would hold up everything else. There |b| must be from 1e-37 to 1e37.
+    friend IMBIBE_INLINE constexpr Pack operator/(Pack a, Pack b) {
+        if constexpr (detail::fills_avx512<Real, width>) {
+            if (!std::is_constant_evaluated())
+                return made(detail::divide(a.lanes, b.lanes));
+        }
+        return made(a.lanes / b.lanes);
+    }
     friend IMBIBE_INLINE constexpr Pack operator-(Pack a) { return made(-a.lanes); }
     friend IMBIBE_INLINE constexpr Pack operator+(Pack a) { return a; }
     IMBIBE_INLINE constexpr Pack& operator+=(Pack b) { return *this = *this + b; }
@@ -271,15 +324,14 @@ IMBIBE_INLINE constexpr T abs(T x) {
     return max(x, -x);
 }
 
-/// The square root. At width > 1 one instruction, which std::sqrt would not be without -fno-math-errno.
+/// The square root of x >= 0. At width > 1 without a call, which std::sqrt would be without -fno-math-errno; for whole
+/// AVX-512 registers within the last bit, by Newton's method, which is faster than the instruction.
 template <class Real, int width>
 IMBIBE_INLINE constexpr Pack<Real, width> sqrt(Pack<Real, width> a) {
     using P [[maybe_unused]] = Pack<Real, width>;
 #if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
-    if constexpr (width * sizeof(Real) == 64 && sizeof(Real) == 4)
-        return P(typename P::Lanes(_mm512_maskz_sqrt_ps(0xffff, __m512(a.lanes))));
-    else if constexpr (width * sizeof(Real) == 64)
-        return P(typename P::Lanes(_mm512_maskz_sqrt_pd(0xff, __m512d(a.lanes))));
+    if constexpr (detail::fills_avx512<Real, width>)
+        return P(detail::root(a.lanes));
     else
 #elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
     if constexpr (width * sizeof(Real) == 32 && sizeof(Real) == 4)
@@ -388,6 +440,17 @@ IMBIBE_INLINE std::uint32_t less_bits(Pack<Real, width> a, Pack<Real, width> b) 
         for (int k = 0; k < width; ++k)
             bits |= static_cast<std::uint32_t>(a[k] < b[k]) << k;
         return bits;
+    }
+}
+
+/// The lanes without their fractions, as integers at `to`.
+template <int width>
+IMBIBE_INLINE void truncate(Pack<float, width> x, std::int32_t* to) {
+    if constexpr (width == 1) {
+        *to = static_cast<std::int32_t>(x.lanes);
+    } else {
+        const auto whole = __builtin_convertvector(x.lanes, typename detail::MaskStorage<float, width>::type);
+        __builtin_memcpy(to, &whole, sizeof(whole));
     }
 }
 

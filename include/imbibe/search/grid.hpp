@@ -100,7 +100,7 @@ public:
     /// cells would be more than about eight a particle, they are made larger (slower, never wrong).
     void fit(const Bounds<dim>& bounds, double support, const Periodic<dim>& periodic, long long particles) {
         periods = periodic;
-        const double most = 8.0 * static_cast<double>(particles) + 4096;
+        const double most = std::min(8.0 * static_cast<double>(particles) + 4096, 4e9); // cells are numbered in 32 bits
         std::array<double, static_cast<std::size_t>(dim)> low{}, extent{}, width{};
         for (std::size_t d = 0; d < dim; ++d) {
             const bool wraps = periodic.length[d] > 0;

@@ -22,83 +22,211 @@ constexpr int image_step(int shift, int d) {
 
 namespace detail {
 
-// Writes the runs of one particle's neighbours among the particles [begin, end) of the sorted order; at most one run
-// per `width` of them. Returns the place after the last one.
+// Writes the runs of one particle's neighbours among at most 64 particles [begin, end) of the sorted order; at most one
+// run per `width` of them, and room for two more. Returns the place after the last one.
+//
+// How many are near differs from row to row, and a branch on it would be mispredicted every other time. So a row of
+// the usual length is compared as a whole and its first runs are written whether they are there or not.
 template <int width, int dim, class Real>
-IMBIBE_INLINE Run* append_runs(Run* to, const Points<dim, Real>& sources, const Vector<Real, dim>& at, Real support2,
-                               std::uint32_t begin, std::uint32_t end, int image) {
+IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cast<std::size_t>(dim)>& sources,
+                               const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2, std::uint32_t begin,
+                               std::uint32_t end, std::uint32_t stop, int image) {
     using T = Pack<Real, width>;
-    for (std::uint32_t j = begin; j < end;) {
+    constexpr std::uint32_t usual = 32, lanes = static_cast<std::uint32_t>(width);
+    constexpr std::uint64_t one_run = (std::uint64_t(1) << lanes) - 1;
+    std::uint64_t hits = 0;
+    const auto compare = [&](std::uint32_t k) {
         T distance2(0);
         for (int d = 0; d < dim; ++d)
-            distance2 += sq(T(at[d]) - T::load(sources.x[static_cast<std::size_t>(d)] + j));
-        std::uint32_t hits = less_bits(distance2, T(support2));
-        const std::uint32_t left = end - j;
-        if (left < static_cast<std::uint32_t>(width))
-            hits &= (1u << left) - 1;
-        if (hits == 0) {
-            j += static_cast<std::uint32_t>(width);
-            continue;
-        }
-        const std::uint32_t first = j + static_cast<std::uint32_t>(std::countr_zero(hits));
-        const std::uint32_t count = std::min(static_cast<std::uint32_t>(width), end - first);
-        *to++ = {first, static_cast<std::uint16_t>(count), static_cast<std::uint16_t>(image)};
-        j = first + static_cast<std::uint32_t>(width);
-    }
+            distance2 += sq(at[d] - T::load(sources[static_cast<std::size_t>(d)] + begin + k));
+        hits |= static_cast<std::uint64_t>(less_bits(distance2, support2)) << k;
+    };
+    for (std::uint32_t k = 0; k < usual; k += lanes)
+        compare(k);
+    for (std::uint32_t k = usual; k < end - begin; k += lanes)
+        compare(k);
+    hits &= ~std::uint64_t(0) >> (64 - (end - begin));
+    const auto write = [&] {
+        const auto skip = static_cast<std::uint32_t>(std::countr_zero(hits));
+        const std::uint32_t first = begin + skip;
+        const std::uint32_t count = std::min(lanes, stop - first);
+        *to = std::bit_cast<Run>(first | static_cast<std::uint64_t>(count | static_cast<std::uint32_t>(image) << 16) << 32);
+        to += hits != 0;
+        hits &= ~(one_run << (skip & 63));
+    };
+    write();
+    write();
+    while (hits != 0)
+        write();
     return to;
 }
 
-/// One of the rows of cells around a particle: where it begins in the cell table, its periodic image, and which of
-/// the steps -1, 0, 1 along y and z lead there.
-struct NearRow {
-    std::size_t first_cell;
-    int image, step_y, step_z;
-};
-
-/// The rows around the cell (y, z) of a grid that are not empty; in two dimensions z is 0 and there are no rows above
-/// and below.
+/// The rows of cells around one row, itself included: 9 in space, 3 in the plane. Row r is `step_y(r)` and `step_z(r)`
+/// rows away.
 template <int dim>
-int near_rows(const Grid<dim>& grid, const CellTable& table, int y, int z, NearRow (&rows)[9]) {
-    // The cell that step k leads to along d and the digit of its periodic image; -1 where there is none.
-    const auto around = [&](int d, int c, int& image) {
-        image = 0;
-        const int n = grid.n(d);
-        if (c >= 0 && c < n)
-            return c;
-        if (!grid.wraps(d))
-            return -1;
-        image = c < 0 ? 2 : 1;
-        c += c < 0 ? n : -n;
-        return c >= 0 && c < n ? c : -1;
-    };
-    int count = 0;
-    for (int step_z = dim == 3 ? -1 : 0; step_z <= (dim == 3 ? 1 : 0); ++step_z) {
-        int image_z = 0, cell_z = 0;
-        if constexpr (dim == 3)
-            cell_z = around(2, z + step_z, image_z);
-        for (int step_y = -1; step_y <= 1; ++step_y) {
-            int image_y = 0;
-            const int cell_y = around(1, y + step_y, image_y);
+struct RowsAround {
+    static constexpr int count = dim == 3 ? 9 : 3, room = 16; // whole packs
+    static constexpr int step_y(int r) { return r % 3 - 1; }
+    static constexpr int step_z(int r) { return dim == 3 ? r / 3 - 1 : 0; }
+
+    std::array<std::int32_t, room> cells{};       ///< how many cells the row has; 0: it is empty, or there is none
+    std::array<std::uint32_t, room> first_cell{}; ///< where it begins in the cell table
+    std::array<int, room> image{};                ///< the periodic image it is seen through
+    bool any = false;                             ///< is one of them not empty?
+    bool shifted = false;                         ///< is one of them seen through a periodic image?
+
+    RowsAround() = default;
+    /// The rows around row (y, z) of a grid.
+    RowsAround(const Grid<dim>& grid, const CellTable& table, int y, int z) {
+        // The cell c of direction d and the digit of its periodic image; -1 where there is none.
+        const auto around = [&](int d, int c, int& digit) {
+            digit = 0;
+            const int n = grid.n(d);
+            if (c >= 0 && c < n)
+                return c;
+            if (!grid.wraps(d))
+                return -1;
+            digit = c < 0 ? 2 : 1;
+            c += c < 0 ? n : -n;
+            return c >= 0 && c < n ? c : -1;
+        };
+        const auto n = static_cast<std::uint32_t>(grid.n(0));
+        for (int r = 0; r < count; ++r) {
+            int image_y = 0, image_z = 0, cell_z = 0;
+            const int cell_y = around(1, y + step_y(r), image_y);
+            if constexpr (dim == 3)
+                cell_z = around(2, z + step_z(r), image_z);
             if (cell_y < 0 || cell_z < 0)
                 continue;
-            const std::size_t row =
-                static_cast<std::size_t>(cell_z) * static_cast<std::size_t>(grid.n(1)) + static_cast<std::size_t>(cell_y);
-            const std::size_t first = row * static_cast<std::size_t>(grid.n(0));
-            if (table.start(first) != table.start(first + static_cast<std::size_t>(grid.n(0))))
-                rows[count++] = {first, 3 * image_y + 9 * image_z, step_y, step_z};
+            const auto k = static_cast<std::size_t>(r);
+            first_cell[k] = (static_cast<std::uint32_t>(cell_z) * static_cast<std::uint32_t>(grid.n(1)) +
+                             static_cast<std::uint32_t>(cell_y)) * n;
+            image[k] = 3 * image_y + 9 * image_z;
+            const bool holds_some = table.start(first_cell[k]) != table.start(first_cell[k] + n);
+            cells[k] = holds_some ? grid.n(0) : 0;
+            any = any || holds_some;
+            shifted = shifted || image[k] != 0;
         }
     }
-    return count;
-}
+};
 
-/// The squares of the distances from x to the cells below, at and above cell c along d.
+/// How far the support of a particle reaches in each of the rows around it: from cell low[r] up to, not including, cell
+/// high[r], counted along x from the particle's own cell. low[r] >= high[r] where it does not reach the row.
 template <int dim>
-IMBIBE_INLINE void gaps(const Grid<dim>& grid, int d, int c, double x, double (&gap2)[3]) {
-    const double low = grid.lower(d) + c * grid.width(d);
-    const double below = std::max(x - low, 0.0), above = std::max(low + grid.width(d) - x, 0.0);
-    gap2[0] = below * below;
-    gap2[1] = 0;
-    gap2[2] = above * above;
+struct Reach {
+    std::array<std::int32_t, RowsAround<dim>::room> low, high;
+
+    /// @param x where the particle stands in its own cell, from 0 to 1
+    /// @param below,above the distances along y and z to the rows below and above, in cells along x
+    /// @param support in cells along x
+    IMBIBE_INLINE Reach(double x, const std::array<double, 2>& below, const std::array<double, 2>& above, double support) {
+        // In float: the numbers are small, and what rounding could lose the slack gives back. The bias makes them
+        // positive, so that truncation is downwards.
+        using T = Pack<float, native_width<float>>;
+        constexpr float bias = 64, slack = 1e-4f;
+        static constexpr Weights weights;
+        const T room2(sq(support) * (1 + 1e-5)), y0(sq(below[0])), y1(sq(above[0])), z0(sq(below[1])), z1(sq(above[1]));
+        for (int r = 0; r < RowsAround<dim>::room; r += T::size) {
+            const T rest = room2 - T::load(weights.y_below + r) * y0 - T::load(weights.y_above + r) * y1 -
+                           T::load(weights.z_below + r) * z0 - T::load(weights.z_above + r) * z1;
+            const T half = sqrt(positive_part(rest));
+            truncate(T(x + bias - slack) - half, low.data() + r);
+            truncate(select(rest < T(0), T(0), T(x + bias + 1 + slack) + half), high.data() + r);
+        }
+        for (std::size_t r = 0; r < low.size(); ++r) {
+            low[r] -= static_cast<int>(bias);
+            high[r] -= static_cast<int>(bias);
+        }
+    }
+
+private:
+    struct Weights {
+        float y_below[RowsAround<dim>::room]{}, y_above[RowsAround<dim>::room]{}, z_below[RowsAround<dim>::room]{},
+            z_above[RowsAround<dim>::room]{};
+        constexpr Weights() {
+            for (int r = 0; r < RowsAround<dim>::count; ++r) {
+                y_below[r] = RowsAround<dim>::step_y(r) < 0;
+                y_above[r] = RowsAround<dim>::step_y(r) > 0;
+                z_below[r] = RowsAround<dim>::step_z(r) < 0;
+                z_above[r] = RowsAround<dim>::step_z(r) > 0;
+            }
+        }
+    };
+};
+
+/// The particles [begin, end) of the sorted order, where neighbours may be, seen through a periodic image.
+struct Stretch {
+    std::uint32_t begin, end;
+    int image;
+};
+
+/// The stretches that the support of one particle reaches: at most three a row.
+template <int dim>
+struct Stretches {
+    Stretch list[3 * 9 + 1];
+    int count = 0;
+    std::uint32_t particles = 0;
+    bool plain; ///< none is seen through a periodic image, and none has more than 64 particles
+
+    /// What `reach` covers of `rows`.
+    /// @param own the particle's own cell along x
+    IMBIBE_INLINE Stretches(const Grid<dim>& grid, const CellTable& table, const RowsAround<dim>& rows,
+                            const Reach<dim>& reach, int own)
+        : plain(!rows.shifted) {
+        std::array<std::uint32_t, RowsAround<dim>::room> from, to;
+        for (std::size_t r = 0; r < from.size(); ++r) {
+            const int low = std::min(std::max(own + reach.low[r], 0), rows.cells[r]);
+            const int high = std::min(std::max(own + reach.high[r], low), rows.cells[r]);
+            from[r] = rows.first_cell[r] + static_cast<std::uint32_t>(low);
+            to[r] = rows.first_cell[r] + static_cast<std::uint32_t>(high);
+        }
+        std::uint32_t lengths = 0;
+        const auto add = [&](std::uint32_t begin, std::uint32_t end, int image) {
+            list[count] = {begin, end, image};
+            count += begin < end; // without a branch: whether a row at the rim is reached is a matter of chance
+            particles += end - begin;
+            lengths |= end - begin;
+        };
+        for (std::size_t r = 0; r < RowsAround<dim>::count; ++r)
+            add(table.start(from[r]), table.start(to[r]), rows.image[r]);
+        if (grid.wraps(0)) [[unlikely]]
+            for (std::size_t r = 0; r < RowsAround<dim>::count; ++r) {
+                const int n = rows.cells[r], low = own + reach.low[r], high = own + reach.high[r];
+                const auto across = [&](int first, int last, int image) {
+                    if (first >= last || last > n)
+                        return;
+                    add(table.start(rows.first_cell[r] + static_cast<std::uint32_t>(first)),
+                        table.start(rows.first_cell[r] + static_cast<std::uint32_t>(last)), rows.image[r] + image);
+                    plain = false;
+                };
+                if (low < 0)
+                    across(std::max(low + n, 0), n, 2);
+                if (high > n)
+                    across(0, std::min(high - n, n), 1);
+            }
+        plain = plain && lengths < 64;
+    }
+};
+
+/// Writes the runs of all stretches, at most 64 particles at a time. Returns the place after the last one.
+template <int width, int dim, class Real>
+Run* append_all_runs(Run* to, const Points<dim, Real>& sources, const std::array<double, 3>& at, Real support2,
+                     const Grid<dim>& grid, const Stretches<dim>& stretches) {
+    for (int k = 0; k < stretches.count; ++k) {
+        const Stretch& s = stretches.list[k];
+        Vector<Pack<Real, width>, dim> seen;
+        for (int d = 0; d < dim; ++d)
+            seen[d] = Pack<Real, width>(
+                static_cast<Real>(at[static_cast<std::size_t>(d)] - image_step(s.image, d) * grid.length(d)));
+        for (std::uint32_t from = s.begin; from < s.end;) {
+            const std::uint32_t until = std::min(from + 64, s.end);
+            Run* const before = to;
+            to = append_runs<width, dim, Real>(to, sources.x, seen, Pack<Real, width>(support2), from, until, s.end,
+                                               s.image);
+            from = to == before ? until : std::max(until, to[-1].first + to[-1].count); // the last run may go on
+        }
+    }
+    return to;
 }
 
 } // namespace detail
@@ -112,67 +240,60 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
                const Grid<dim>& grid, const CellTable& table, double support, int threads) {
     list.resize(targets.n);
     const Real support2 = static_cast<Real>(support * support);
-    const int n = grid.n(0);
     const auto place = [&](Real x, int d) {
         return grid.wraps(d) ? into_period(x, static_cast<Real>(grid.lower(d)), static_cast<Real>(grid.length(d))) : x;
     };
-    const double per_cell = 1 / grid.width(0), slack = 1e-6 * support;
+    const double per_cell = 1 / grid.width(0);
+    using T = Pack<Real, width>;
+    const auto source_x = sources.x;
     parallel_for(list.block_count(), threads, [&](int block) {
         std::vector<Run>& runs = list.block(block);
-        Run* to = runs.data();
-        detail::NearRow rows[9];
-        int row_count = 0, row_y = -1000000000, row_z = 0;
+        std::size_t used = 0;
+        detail::RowsAround<dim> rows;
+        int row_y = -1000000000, row_z = 0;
         const int end = std::min(targets.n, (block + 1) * RunList::block_size);
         for (int i = block * RunList::block_size; i < end; ++i) {
-            double at[3] = {};
+            std::array<double, 3> at{};
             for (int d = 0; d < dim; ++d)
-                at[d] = static_cast<double>(place(targets.x[static_cast<std::size_t>(d)][i], d));
+                at[static_cast<std::size_t>(d)] =
+                    static_cast<double>(place(targets.x[static_cast<std::size_t>(d)][i], d));
             const int y = grid.cell(1, at[1]), z = dim == 3 ? grid.cell(dim - 1, at[dim - 1]) : 0;
             if (y != row_y || z != row_z) { // sorted targets share their rows with the one before
-                row_count = detail::near_rows(grid, table, y, z, rows);
+                rows = detail::RowsAround<dim>(grid, table, y, z);
                 row_y = y;
                 row_z = z;
             }
-            if (row_count == 0) {
-                list.finish(i, static_cast<std::uint32_t>(to - runs.data()));
+            if (!rows.any) {
+                list.finish(i, static_cast<std::uint32_t>(used));
                 continue;
             }
-            double gap2_y[3], gap2_z[3] = {};
-            detail::gaps(grid, 1, y, at[1], gap2_y);
-            if constexpr (dim == 3)
-                detail::gaps(grid, 2, z, at[2], gap2_z);
-            const double x = (at[0] - grid.lower(0)) * per_cell;
-            for (int r = 0; r < row_count; ++r) {
-                const detail::NearRow& row = rows[r];
-                const double room2 = support * support - gap2_y[row.step_y + 1] - gap2_z[row.step_z + 1];
-                if (room2 < -slack * support)
-                    continue;
-                const double reach = (std::sqrt(std::max(room2, 0.0)) + slack) * per_cell;
-                const int low = static_cast<int>(std::floor(x - reach)), high = static_cast<int>(std::floor(x + reach));
-                const auto stretch = [&](int from, int to_cell, int image) {
-                    const std::uint32_t begin = table.start(row.first_cell + static_cast<std::size_t>(from));
-                    const std::uint32_t stop = table.start(row.first_cell + static_cast<std::size_t>(to_cell) + 1);
-                    const auto used = static_cast<std::size_t>(to - runs.data());
-                    const std::size_t most = used + (stop - begin) / static_cast<std::uint32_t>(width) + 1;
-                    if (most > runs.size()) {
-                        runs.resize(2 * most);
-                        to = runs.data() + used;
-                    }
-                    Vector<Real, dim> seen;
-                    for (int d = 0; d < dim; ++d)
-                        seen[d] = static_cast<Real>(image == 0 ? at[d] : at[d] - image_step(image, d) * grid.length(d));
-                    to = detail::append_runs<width, dim, Real>(to, sources, seen, support2, begin, stop, image);
-                };
-                if (low < n && high >= 0)
-                    stretch(std::max(low, 0), std::min(high, n - 1), row.image);
-                if (grid.wraps(0)) {
-                    if (low < 0)
-                        stretch(std::max(low + n, 0), n - 1, row.image + 2);
-                    if (high >= n)
-                        stretch(0, std::min(high - n, n - 1), row.image + 1);
-                }
+            const double x = (at[0] - grid.lower(0)) * per_cell, cell = std::floor(x);
+            std::array<double, 2> below{}, above{};
+            for (int d = 1; d < dim; ++d) {
+                const double from = at[static_cast<std::size_t>(d)] - grid.lower(d) - (d == 1 ? y : z) * grid.width(d);
+                below[static_cast<std::size_t>(d - 1)] = std::max(from, 0.0) * per_cell;
+                above[static_cast<std::size_t>(d - 1)] = std::max(grid.width(d) - from, 0.0) * per_cell;
             }
-            list.finish(i, static_cast<std::uint32_t>(to - runs.data()));
+            const detail::Stretches<dim> stretches(grid, table, rows,
+                                                   detail::Reach<dim>(x - cell, below, above, support * per_cell),
+                                                   static_cast<int>(cell));
+            const std::size_t most = used + stretches.particles / static_cast<unsigned>(width) + 3 * 9 + 2;
+            if (most > runs.size()) [[unlikely]]
+                runs.resize(2 * most);
+            Run* to = runs.data() + used;
+            if (stretches.plain) [[likely]] {
+                Vector<T, dim> here;
+                for (int d = 0; d < dim; ++d)
+                    here[d] = T(static_cast<Real>(at[static_cast<std::size_t>(d)]));
+                for (int k = 0; k < stretches.count; ++k) {
+                    const auto [begin, stop, image] = stretches.list[k];
+                    to = detail::append_runs<width, dim, Real>(to, source_x, here, T(support2), begin, stop, stop, 0);
+                }
+            } else {
+                to = detail::append_all_runs<width>(to, sources, at, support2, grid, stretches);
+            }
+            used = static_cast<std::size_t>(to - runs.data());
+            list.finish(i, static_cast<std::uint32_t>(used));
         }
     });
 }
