@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <initializer_list>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace imbibe::example {
 
@@ -51,7 +51,7 @@ inline std::filesystem::path tools_folder() {
 /// Runs `tools/<tool>` with `arguments`, for example `draw("plot_curves.py", {"out/sponge.csv", "-o",
 /// "out/sponge.png"})`. Returns whether the picture was drawn. A picture is never worth a run: if it cannot be drawn,
 /// one line on `log` says why and how to draw it later, and nothing is thrown.
-inline bool draw(const std::string& tool, std::initializer_list<std::string> arguments, std::ostream& log = std::cout) {
+inline bool draw(const std::string& tool, const std::vector<std::string>& arguments, std::ostream& log = std::cout) {
     const auto program = detail::tools_folder() / tool;
     std::string command = detail::quoted(program.string());
     for (const auto& argument : arguments)

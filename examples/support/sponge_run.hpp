@@ -1,21 +1,17 @@
-// One run of the sponge, for any composition of presets/sponge.hpp: tables, snapshots, pictures and a summary.
+// One run of the sponge: what it may write, what comes of it, and the function that does it.
 #pragma once
 
-#include <imbibe/imbibe.hpp>
-#include <imbibe/presets/sponge.hpp>
-
-#include "pictures.hpp"
+#include <imbibe/presets/sponge_case.hpp>
 
 #include <filesystem>
 #include <string>
-#include <unistd.h>
 
 namespace imbibe::example {
 
 /// What a run writes, and where.
 struct SpongeOutput {
     std::filesystem::path folder = "out-sponge";
-    double table_interval = 1e-3;    ///< s
+    double table_interval = 1e-3;     ///< s
     double snapshot_interval = 10e-3; ///< s; 0: no snapshots
     bool pictures = true;
     bool quiet = false; ///< no progress line, no report
@@ -33,133 +29,21 @@ struct SpongeResult {
     bool conserved = false; ///< water in the scene plus water drained is what there was
 };
 
-/// The elastic energy of the sponge, J, where the composition knows it; else not a number.
-template <class C, class View>
-double stored_energy([[maybe_unused]] const View& sponge) {
-    if constexpr (std::is_same_v<C, presets::SoundSponge>)
-        return elastic_energy<3>(sponge);
-    else
-        return std::nan("");
-}
-
 /// Runs one case to `end`, s. Throws Error for bad input before anything is computed; a run that breaks off in the
 /// middle is reported in the result, with what it had written until then left in place.
-template <class C, class Real>
-SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const SpongeOutput& output) {
-    using Water = typename C::Water;
-    using Sponge = typename C::Sponge;
-    require(std::isfinite(end) && end > 0, "end time = ", end, " s; it must be above 0 s");
-    require_writable(output.folder);
+///
+/// Defined in sponge_run_definition.hpp; compiled for each composition and number type in a file of its own, because
+/// each takes a compiler some 20 seconds.
+/// @tparam Composition presets::PaperSponge or presets::SoundSponge
+/// @tparam Real float or double
+template <class Composition, class Real>
+SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const SpongeOutput& output);
 
-    auto scene = C::template make<Real>(numbers);
-    const auto water = scene.template get<Water>();
-    const auto sponge = scene.template get<Sponge>();
-    const int water_at_start = water.size();
-    const DisplacementProbe<3> probe(sponge);
-    const std::string report = describe(scene);
-    if (!output.quiet) {
-        std::printf("%s", report.c_str());
-        std::printf("Expected wall time: about %s for %g s\n\n",
-                    clock_text(estimate_wall_seconds(scene, end)).c_str(), end);
-        std::fflush(stdout);
-    }
+/// The same with the composition ("paper" or "sound") and the precision ("float" or "double") by name.
+SpongeResult run_sponge(const std::string& composition, const std::string& precision,
+                        const presets::SpongeCase& numbers, double end, const SpongeOutput& output);
 
-    Table table(output.folder / "sponge.csv", {{"time", "s"},
-                                               {"mean displacement", "m"},
-                                               {"mean vertical displacement", "m"},
-                                               {"greatest displacement", "m"},
-                                               {"drained mass", "kg"},
-                                               {"drained fraction", "1"},
-                                               {"kinetic energy of the water", "J"},
-                                               {"potential energy of the water", "J"},
-                                               {"compression energy of the water", "J"},
-                                               {"kinetic energy of the sponge", "J"},
-                                               {"elastic energy of the sponge", "J"},
-                                               {"vertical momentum", "kg m/s"},
-                                               {"least density of the water", "kg/m^3"},
-                                               {"greatest density of the water", "kg/m^3"},
-                                               {"time step", "s"}});
-    Snapshots snapshots(output.folder);
-    Progress progress(end, isatty(1) != 0);
-    SpongeResult result;
-    result.composition = C::name;
-    int left = 0;
-    double late_sum = 0, late_count = 0;
-
-    const auto below = [&] {
-        int n = left;
-        const auto x = water[position];
-        for (int i = 0; i < water.size(); ++i)
-            n += x(i, 2) < 0;
-        return static_cast<double>(n) / water_at_start;
-    };
-    const auto measure = [&](const auto& s) {
-        const double mean = probe.mean(sponge);
-        if (mean > result.peak) {
-            result.peak = mean;
-            result.peak_time = s.time();
-        }
-        if (s.time() >= 0.6 * end) {
-            late_sum += mean;
-            late_count += 1;
-        }
-        result.drained = below();
-        const double particle = 1000 * numbers.water_spacing * numbers.water_spacing * numbers.water_spacing;
-        table.row({s.time(), mean, probe.mean_vector(sponge)[2], probe.greatest(sponge),
-                   result.drained * water_at_start * particle, result.drained, kinetic_energy(water),
-                   potential_energy(water, s.settings().gravity), compression_energy(water), kinetic_energy(sponge),
-                   stored_energy<C>(sponge), momentum(water)[2] + momentum(sponge)[2],
-                   water.size() > 0 ? static_cast<double>(water[density].minCoeff()) : 0.0,
-                   water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds});
-    };
-    auto rows = every(output.table_interval, measure);
-    auto pictures = every(output.snapshot_interval > 0 ? output.snapshot_interval : end,
-                          [&](const auto& s) { snapshots(s); });
-    try {
-        scene.run_until(end, [&](auto& s) {
-            if (s.steps() % 20 == 0)
-                left += s.remove_if(PhaseHandle<Water>{}, [&](const Point<3>& x) { return x[2] < -numbers.drain; });
-            rows(s);
-            if (output.snapshot_interval > 0)
-                pictures(s);
-            if (!output.quiet)
-                progress(s);
-        });
-    } catch (const Error& error) {
-        result.failure = error.what();
-    }
-    result.end = scene.time();
-    result.steps = scene.steps();
-    result.wall_seconds = progress.wall_seconds();
-    result.late_mean = late_count > 0 ? late_sum / late_count : 0;
-    result.conserved = water.size() + left == water_at_start;
-
-    if (output.pictures && output.snapshot_interval > 0) {
-        const std::string folder = output.folder.string();
-        draw("render_sponge.py", {folder, "--count", "4", "-o", folder + "/snapshots.png"});
-        draw("plot_curves.py", {folder + "/sponge.csv", "--y", "mean displacement", "--title",
-                                std::string("Mean displacement of the sponge, ") + C::name, "-o",
-                                folder + "/displacement.png"});
-        draw("plot_curves.py", {folder + "/sponge.csv", "--y", "drained fraction", "--title",
-                                std::string("Water that has passed the sponge, ") + C::name, "-o",
-                                folder + "/drained.png"});
-    }
-    return result;
-}
-
-/// What happened, in words.
-inline void print_summary(const presets::SpongeCase& numbers, const SpongeResult& r, const SpongeOutput& output) {
-    std::printf("\nSummary (%s composition, pore radius %g mm)\n", r.composition.c_str(), numbers.pore_radius * 1e3);
-    if (!r.failure.empty())
-        std::printf("  BROKE OFF at t = %g s: %s\n", r.end, r.failure.c_str());
-    std::printf("  %lld steps to t = %g s in %s\n", r.steps, r.end, clock_text(r.wall_seconds).c_str());
-    std::printf("  The sponge gave way by %.3f mm on average at t = %.3f s, its greatest;\n", r.peak * 1e3, r.peak_time);
-    std::printf("  over the last 40 %% of the run it hung %.3f mm from where it was.\n", r.late_mean * 1e3);
-    std::printf("  %.1f %% of the water went through%s.\n", 100 * r.drained,
-                r.drained < 0.01 ? ": the pores are closed to it" : "");
-    std::printf("  Water particles are %s.\n", r.conserved ? "all accounted for" : "MISSING");
-    std::printf("  Curves: %s/sponge.csv, for ParaView: %s/water.pvd, sponge.pvd, vessel.pvd\n",
-                output.folder.c_str(), output.folder.c_str());
-}
+/// Prints what happened, in words.
+void print_summary(const presets::SpongeCase& numbers, const SpongeResult& result, const SpongeOutput& output);
 
 } // namespace imbibe::example

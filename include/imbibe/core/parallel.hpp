@@ -2,6 +2,8 @@
 // is computed depends on how many threads there are.
 #pragma once
 
+#include <imbibe/core/denormals.hpp>
+
 #include <exception>
 
 #ifdef _OPENMP
@@ -20,20 +22,24 @@ inline int available_threads() {
 }
 
 /// Calls f(k) for k = 0 ... n-1, on up to `threads` threads in any order. f must not write what another call reads.
-/// The first exception thrown by a call is thrown again when all are done.
+/// The first exception thrown by a call is thrown again when all are done. In f denormal numbers are zero.
 template <class F>
 void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
 #ifdef _OPENMP
     if (threads > 1 && n > 1) {
         std::exception_ptr failure;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-        for (int k = 0; k < n; ++k) {
-            try {
-                f(k);
-            } catch (...) {
+#pragma omp parallel num_threads(threads)
+        {
+            const DenormalsAreZero fast;
+#pragma omp for schedule(dynamic, 1)
+            for (int k = 0; k < n; ++k) {
+                try {
+                    f(k);
+                } catch (...) {
 #pragma omp critical(imbibe_parallel_for)
-                if (!failure)
-                    failure = std::current_exception();
+                    if (!failure)
+                        failure = std::current_exception();
+                }
             }
         }
         if (failure)
@@ -41,6 +47,7 @@ void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
         return;
     }
 #endif
+    const DenormalsAreZero fast;
     for (int k = 0; k < n; ++k)
         f(k);
 }

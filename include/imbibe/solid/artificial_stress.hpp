@@ -96,6 +96,8 @@ struct ArtificialStress {
             using A = std::remove_cvref_t<decltype(a)>;
             const auto unit = symmetric_identity<typename A::Scalar, A::dimension>();
             const auto sigma = a[deviatoric_stress] - a[pressure] * unit;
+            if (parameters.epsilon == 0) // finding principal axes takes longer than everything else here
+                return 0.0 / sq(a[density]) * sigma;
             return -parameters.epsilon / sq(a[density]) * Axes::tension(sigma);
         }
     };

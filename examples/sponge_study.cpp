@@ -1,0 +1,123 @@
+// The two studies of the paper: the sponge with four radii of its pores, and with four support radii of the kernel.
+//
+//   build/sponge_study pores                          r = 0.5, 1, 1.5, 2 mm
+//   build/sponge_study support                        h = 1, 1.1, 1.2, 1.3 mm at r = 1.5 mm
+//   build/sponge_study pores --composition paper      the same with the method of the paper, mended
+//   build/sponge_study pores --strip --pool 14 --end 0.25   one row of pores: minutes instead of hours
+//
+// Each run keeps its tables in a folder of its own. A run that is finished is not repeated, so a study that was
+// interrupted goes on where it was, and the two studies share the case they have in common.
+#include "support/pictures.hpp"
+#include "support/sponge_options.hpp"
+
+#include <fstream>
+
+namespace sph = imbibe;
+
+namespace {
+
+struct Case {
+    std::string name, label;
+    sph::presets::SpongeCase numbers;
+};
+
+/// The sound composition counts its supports in spacings; h = 1.3 mm of the paper is its 2.6.
+double ratio_of(double support) {
+    return 2 * support / 1e-3;
+}
+
+std::vector<Case> cases_of(const std::string& study, const std::string& composition, sph::presets::SpongeCase numbers) {
+    std::vector<Case> cases;
+    const auto add = [&](double pore_radius, double support, const std::string& label) {
+        numbers.pore_radius = pore_radius;
+        numbers.support_radius = support;
+        numbers.support_ratio = ratio_of(composition == "sound" && study == "pores" ? 1.3e-3 : support);
+        const double shown = composition == "paper" ? support * 1e3 : numbers.support_ratio;
+        cases.push_back({sph::text(composition, "-r", pore_radius * 1e3, "-h", shown), label, numbers});
+    };
+    if (study == "pores")
+        for (const double r : {0.5e-3, 1e-3, 1.5e-3, 2e-3})
+            add(r, 1e-3, sph::text("r = ", r * 1e3, " mm"));
+    else
+        for (const double h : {1e-3, 1.1e-3, 1.2e-3, 1.3e-3})
+            add(1.5e-3, h, composition == "paper" ? sph::text("h = ", h * 1e3, " mm")
+                                                  : sph::text("H = ", ratio_of(h), " spacings"));
+    return cases;
+}
+
+/// What makes one run another than the next; written beside its tables when it is through.
+std::string signature(const Case& c, const std::string& precision, double end) {
+    const auto& n = c.numbers;
+    return sph::text(c.name, " ", precision, " end ", end, " spacings ", n.water_spacing, " ", n.solid_spacing, " pool ",
+                     n.pool, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus, " K_f ", n.stiffness,
+                     " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
+}
+
+bool is_finished(const std::filesystem::path& folder, const std::string& what) {
+    std::ifstream file(folder / "finished.txt");
+    std::string line;
+    return std::getline(file, line) && line == what;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    sph::presets::SpongeCase numbers;
+    std::string study, composition = "sound", precision = "float", folder = "out-study";
+    double end = 0.5, snapshots = 25;
+
+    CLI::App app{"The sponge with four pore radii, or with four support radii."};
+    app.add_option("study", study, "pores or support")->required()->check(CLI::IsMember({"pores", "support"}));
+    sph::example::add_method_options(app, composition, precision);
+    sph::example::add_case_options(app, numbers);
+    app.remove_option(app.get_option("--pore-radius")); // these are what the studies vary
+    app.remove_option(app.get_option("--support"));
+    app.remove_option(app.get_option("--support-ratio"));
+    app.add_option("--end", end, "end time, s")->capture_default_str();
+    app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")->capture_default_str();
+    app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+
+    const std::filesystem::path root = folder;
+    int failures = 0;
+    std::vector<std::string> tables, labels;
+    try {
+        for (const Case& c : cases_of(study, composition, numbers)) {
+            sph::example::SpongeOutput output;
+            output.folder = root / c.name;
+            output.snapshot_interval = snapshots * 1e-3;
+            const std::string what = signature(c, precision, end);
+            tables.push_back((output.folder / "sponge.csv").string());
+            labels.push_back(c.label);
+            if (is_finished(output.folder, what)) {
+                std::printf("%s: finished before\n", c.name.c_str());
+                continue;
+            }
+            std::printf("\n==== %s ====\n", c.name.c_str());
+            const auto result = sph::example::run_sponge(composition, precision, c.numbers, end, output);
+            sph::example::print_summary(c.numbers, result, output);
+            if (result.failure.empty())
+                std::ofstream(output.folder / "finished.txt") << what << '\n';
+            else
+                ++failures;
+        }
+    } catch (const sph::Error& error) {
+        std::fprintf(stderr, "sponge_study: %s\n", error.what());
+        return 2;
+    }
+
+    const std::string stem = (root / (composition + "-" + study)).string();
+    const auto plot = [&](const std::string& column, const std::string& title, const std::string& end_of_name) {
+        std::vector<std::string> words = tables;
+        words.insert(words.end(), {"--y", column, "--title", title + ", " + composition, "-o", stem + end_of_name, "--labels"});
+        words.insert(words.end(), labels.begin(), labels.end());
+        sph::example::draw("plot_curves.py", words);
+    };
+    plot("mean displacement", "Mean displacement of the sponge", "-displacement.png");
+    plot("drained fraction", "Water that has passed the sponge", "-drained.png");
+    std::vector<std::string> words = {study, composition};
+    words.insert(words.end(), tables.begin(), tables.end());
+    words.insert(words.end(), {"-o", stem + "-claims.md"});
+    sph::example::draw("sponge_claims.py", words);
+    return failures == 0 ? 0 : 1;
+}

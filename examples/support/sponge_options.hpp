@@ -1,0 +1,53 @@
+// The options that the programs with the sponge have in common.
+#pragma once
+
+#include "sponge_run.hpp"
+
+#include <imbibe/core/error.hpp>
+
+#include <CLI/CLI.hpp>
+
+namespace imbibe::example {
+
+/// An option in millimetres for a length in metres.
+inline void add_millimetres(CLI::App& app, const char* name, double& value, const char* text) {
+    app.add_option_function<double>(name, [&value](double mm) { value = mm * 1e-3; }, text)
+        ->default_str(imbibe::text(value * 1e3));
+}
+
+/// Which equations, and in which numbers.
+inline void add_method_options(CLI::App& app, std::string& composition, std::string& precision) {
+    app.add_option("--composition", composition, "paper: the paper's method, mended; sound: schemes that converge")
+        ->check(CLI::IsMember({"paper", "sound"}))
+        ->capture_default_str();
+    app.add_option("--precision", precision, "float: 32 bits a number; double: 64")
+        ->check(CLI::IsMember({"float", "double"}))
+        ->capture_default_str();
+}
+
+/// Everything that is a number of the scene.
+inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
+    add_millimetres(app, "--pore-radius", numbers.pore_radius, "pore radius, mm");
+    add_millimetres(app, "--support", numbers.support_radius, "kernel support radius h of the paper's composition, mm");
+    app.add_option("--support-ratio", numbers.support_ratio, "supports of the sound composition, in spacings")
+        ->capture_default_str();
+    add_millimetres(app, "--water-spacing", numbers.water_spacing, "distance of the water particles, mm");
+    add_millimetres(app, "--sponge-spacing", numbers.solid_spacing, "distance of the sponge particles, mm");
+    app.add_option("--shear-modulus", numbers.shear_modulus, "of the sponge, paper's composition, Pa (printed: 2e-6)")
+        ->capture_default_str();
+    app.add_option("--young-modulus", numbers.young_modulus, "of the sponge, sound composition, Pa")
+        ->capture_default_str();
+    app.add_option("--artificial-stress", numbers.artificial_stress, "epsilon of Eq. (17), paper's composition")
+        ->capture_default_str();
+    app.add_option("--stiffness", numbers.stiffness, "K_f of Eq. (24), paper's composition, Pa")->capture_default_str();
+    app.add_option("--time-step", numbers.time_step, "fixed time step, s; 0: adaptive (sound), 1e-5 s (paper)")
+        ->capture_default_str();
+    app.add_option("--cfl", numbers.cfl, "share of the shortest limit that an adaptive time step takes")
+        ->capture_default_str();
+    app.add_flag("--strip", numbers.strip, "one row of pores, periodic across");
+    add_millimetres(app, "--pool", numbers.pool,
+                    "fill the tank with water to this height instead of the paper's block, mm");
+    app.add_option("--threads", numbers.threads, "threads; 0: all")->check(CLI::NonNegativeNumber)->capture_default_str();
+}
+
+} // namespace imbibe::example

@@ -1,0 +1,126 @@
+// What a run of the sponge does: tables, snapshots and pictures, for any composition of presets/sponge.hpp.
+#pragma once
+
+#include "pictures.hpp"
+#include "sponge_run.hpp"
+
+#include <imbibe/imbibe.hpp>
+#include <imbibe/presets/sponge.hpp>
+
+#include <unistd.h>
+
+namespace imbibe::example {
+
+/// The elastic energy of the sponge, J, where the composition knows it; else not a number.
+template <class C, class View>
+double stored_energy([[maybe_unused]] const View& sponge) {
+    if constexpr (std::is_same_v<C, presets::SoundSponge>)
+        return elastic_energy<3>(sponge);
+    else
+        return std::nan("");
+}
+
+template <class C, class Real>
+SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const SpongeOutput& output) {
+    using Water = typename C::Water;
+    using Sponge = typename C::Sponge;
+    require(std::isfinite(end) && end > 0, "end time = ", end, " s; it must be above 0 s");
+    require_writable(output.folder);
+
+    auto scene = C::template make<Real>(numbers);
+    const auto water = scene.template get<Water>();
+    const auto sponge = scene.template get<Sponge>();
+    const int water_at_start = water.size();
+    const DisplacementProbe<3> probe(sponge);
+    const std::string report = describe(scene);
+    if (!output.quiet) {
+        std::printf("%s", report.c_str());
+        std::printf("Expected wall time: about %s for %g s\n\n",
+                    clock_text(estimate_wall_seconds(scene, end)).c_str(), end);
+        std::fflush(stdout);
+    }
+
+    Table table(output.folder / "sponge.csv", {{"time", "s"},
+                                               {"mean displacement", "m"},
+                                               {"mean vertical displacement", "m"},
+                                               {"greatest displacement", "m"},
+                                               {"drained mass", "kg"},
+                                               {"drained fraction", "1"},
+                                               {"kinetic energy of the water", "J"},
+                                               {"potential energy of the water", "J"},
+                                               {"compression energy of the water", "J"},
+                                               {"kinetic energy of the sponge", "J"},
+                                               {"elastic energy of the sponge", "J"},
+                                               {"vertical momentum", "kg m/s"},
+                                               {"least density of the water", "kg/m^3"},
+                                               {"greatest density of the water", "kg/m^3"},
+                                               {"time step", "s"}});
+    Snapshots snapshots(output.folder);
+    Progress progress(end, isatty(1) != 0);
+    SpongeResult result;
+    result.composition = C::name;
+    int left = 0;
+    double late_sum = 0, late_count = 0;
+
+    const auto below = [&] {
+        int n = left;
+        const auto x = water[position];
+        for (int i = 0; i < water.size(); ++i)
+            n += x(i, 2) < 0;
+        return static_cast<double>(n) / water_at_start;
+    };
+    const auto measure = [&](const auto& s) {
+        const double mean = probe.mean(sponge);
+        if (mean > result.peak) {
+            result.peak = mean;
+            result.peak_time = s.time();
+        }
+        if (s.time() >= 0.6 * end) {
+            late_sum += mean;
+            late_count += 1;
+        }
+        result.drained = below();
+        const double particle = 1000 * numbers.water_spacing * numbers.water_spacing * numbers.water_spacing;
+        table.row({s.time(), mean, probe.mean_vector(sponge)[2], probe.greatest(sponge),
+                   result.drained * water_at_start * particle, result.drained, kinetic_energy(water),
+                   potential_energy(water, s.settings().gravity), compression_energy(water), kinetic_energy(sponge),
+                   stored_energy<C>(sponge), momentum(water)[2] + momentum(sponge)[2],
+                   water.size() > 0 ? static_cast<double>(water[density].minCoeff()) : 0.0,
+                   water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds});
+    };
+    auto rows = every(output.table_interval, measure);
+    auto pictures = every(output.snapshot_interval > 0 ? output.snapshot_interval : end,
+                          [&](const auto& s) { snapshots(s); });
+    try {
+        scene.run_until(end, [&](auto& s) {
+            if (s.steps() % 20 == 0)
+                left += s.remove_if(PhaseHandle<Water>{}, [&](const Point<3>& x) { return x[2] < -numbers.drain; });
+            rows(s);
+            if (output.snapshot_interval > 0)
+                pictures(s);
+            if (!output.quiet)
+                progress(s);
+        });
+    } catch (const Error& error) {
+        result.failure = error.what();
+    }
+    result.end = scene.time();
+    result.steps = scene.steps();
+    result.wall_seconds = progress.wall_seconds();
+    result.late_mean = late_count > 0 ? late_sum / late_count : 0;
+    result.conserved = water.size() + left == water_at_start;
+
+    if (output.pictures && output.snapshot_interval > 0) {
+        const std::string folder = output.folder.string();
+        draw("render_sponge.py", {folder, "--count", "4", "-o", folder + "/snapshots.png"});
+        draw("plot_curves.py", {folder + "/sponge.csv", "--y", "mean displacement", "--title",
+                                std::string("Mean displacement of the sponge, ") + C::name, "-o",
+                                folder + "/displacement.png"});
+        draw("plot_curves.py", {folder + "/sponge.csv", "--y", "drained fraction", "--title",
+                                std::string("Water that has passed the sponge, ") + C::name, "-o",
+                                folder + "/drained.png"});
+    }
+    return result;
+}
+
+} // namespace imbibe::example

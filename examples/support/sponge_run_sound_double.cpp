@@ -1,0 +1,6 @@
+// The sponge in the `sound` composition, computed in double.
+#include "sponge_run_definition.hpp"
+
+template imbibe::example::SpongeResult
+imbibe::example::run_sponge<imbibe::presets::SoundSponge, double>(const imbibe::presets::SpongeCase&, double,
+                                                     const imbibe::example::SpongeOutput&);

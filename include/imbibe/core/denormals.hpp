@@ -1,0 +1,34 @@
+// Keeps the processor from slowing down on numbers that are almost zero.
+#pragma once
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace imbibe {
+
+/// While it lives, this thread takes denormal numbers (below 1.2e-38 in float) for zero; then all is as it was before.
+///
+/// Differences that die out, of velocity in a block that falls or of density at rest, end as denormal numbers, and each
+/// operation on one costs a processor over a hundred times the usual. In the fall of the sponge scene that was half of
+/// the time of a step in float. x86 only; on other machines it does nothing.
+class DenormalsAreZero {
+public:
+#if defined(__SSE2__)
+    DenormalsAreZero() : before(_mm_getcsr()) { _mm_setcsr(before | results_are_zero | operands_are_zero); }
+    ~DenormalsAreZero() { _mm_setcsr(before); }
+
+private:
+    static constexpr unsigned results_are_zero = 0x8000, operands_are_zero = 0x0040;
+    unsigned before;
+
+public:
+#else
+    DenormalsAreZero() = default;
+    ~DenormalsAreZero() = default;
+#endif
+    DenormalsAreZero(const DenormalsAreZero&) = delete;
+    DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;
+};
+
+} // namespace imbibe

@@ -1,0 +1,28 @@
+// The numbers of a scene that belong to no phase: gravity, time step, periodic sides, threads.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace imbibe {
+
+/// The numbers of a scene that belong to no phase.
+template <int dim>
+struct Settings {
+    /// Acceleration that acts on every particle that moves, m/s^2.
+    std::array<double, static_cast<std::size_t>(dim)> gravity{};
+    /// Support radius H of all phases that do not bring their own, m.
+    double support_radius = 0;
+    /// Courant-Friedrichs-Lewy number: the fraction of the longest stable step that is used.
+    double cfl = 0.4;
+    /// A fixed time step, s; 0: adaptive, the least of all limits times `cfl`.
+    double time_step = 0;
+    /// The longest step an adaptive run takes, s.
+    double max_time_step = 1e-2;
+    /// Lower end and length of the periodic sides, m; a length of 0: not periodic.
+    std::array<double, static_cast<std::size_t>(dim)> periodic_lower{}, periodic_length{};
+    /// Threads; 0: all of the machine.
+    int threads = 0;
+};
+
+} // namespace imbibe
