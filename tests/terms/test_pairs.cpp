@@ -103,12 +103,15 @@ void check_packs() {
                 const auto many = numbers(all, lane);
                 REQUIRE(one.size() == many.size());
                 size = std::max(size, greatest(one));
+                // Near the rim of the support a kernel is (1 - q)^n: an error of the last bit in q weighs n/(1 - q).
+                const double room = std::max(1 - static_cast<double>(Real(ab1.distance)) / H, 0.0);
                 for (std::size_t i = 0; i < one.size(); ++i)
-                    error = std::max(error, std::abs(one[i] - many[i]) / std::max(greatest(one), 1e-300));
+                    error = std::max(error, room * std::abs(one[i] - many[i]) / std::max(greatest(one), 1e-300));
             }
         }
         CHECK(size > 0);
-        // the two may differ where the compiler fuses products; twelfth powers carry that difference on
+        // the two may differ where the compiler fuses products, and by the last bit of roots and quotients; twelfth
+        // powers carry that difference on
         CHECK(error < 50 * static_cast<double>(std::numeric_limits<Real>::epsilon()));
     });
 }

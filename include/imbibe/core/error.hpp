@@ -1,9 +1,11 @@
 // The one exception type of the library, and the small helper that writes its messages.
 #pragma once
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace imbibe {
 
@@ -28,6 +30,14 @@ template <class... Parts>
 void require(bool condition, const Parts&... parts) {
     if (!condition)
         throw Error(text(parts...));
+}
+
+/// Throws Error unless `value` is a finite number not below 0.
+/// @param where the phase or coupling, @param name the number in it, @param unit its unit, empty for a pure number
+inline void require_not_negative(double value, std::string_view where, std::string_view name, std::string_view unit) {
+    const std::string measured = unit.empty() ? std::string() : text(" ", unit);
+    require(std::isfinite(value) && value >= 0, where, ": ", name, " = ", value, measured,
+            "; it must be a finite number not below 0", measured);
 }
 
 } // namespace imbibe

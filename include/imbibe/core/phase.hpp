@@ -49,10 +49,6 @@ inline void require_positive(double value, std::string_view phase, std::string_v
             value == required ? " (not given)" : "", "; it must be a finite number above 0 ", unit,
             ". Give it where the phase is made, as in ", phase, "{{.", name, " = ...}}");
 }
-inline void require_not_negative(double value, std::string_view phase, std::string_view name, std::string_view unit) {
-    require(std::isfinite(value) && value >= 0, phase, ": ", name, " = ", value, " ", unit,
-            "; it must be a finite number not below 0 ", unit);
-}
 
 } // namespace detail
 
@@ -95,7 +91,7 @@ struct Fluid {
     void check(std::string_view name) const {
         detail::require_positive(density, name, "density", "kg/m^3");
         detail::require_positive(sound_speed, name, "sound_speed", "m/s");
-        detail::require_not_negative(viscosity, name, "viscosity", "Pa s");
+        require_not_negative(viscosity, name, "viscosity", "Pa s");
     }
 };
 

@@ -9,6 +9,7 @@
 // Eq. (25) for every pair, not only for the sums.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/kernels/spiky.hpp>
 
@@ -22,6 +23,11 @@ namespace imbibe {
 struct KernelRepulsionParameters {
     /// K_f, Pa. The force is that of a pressure of this size on overlapping kernels.
     double stiffness = 1e8;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(stiffness, where, "KernelRepulsionParameters::stiffness", "Pa");
+    }
 };
 
 /// dv_a/dt = - K_f/m_a sum_b V_a V_b grad_a W_ab, in m/s^2, with the volumes V = m/rho.

@@ -14,6 +14,11 @@ struct DensityDiffusionParameters {
     /// Take the hydrostatic difference out before smoothing, so that still water stays as it is. Without it a column
     /// of water slowly swells at its surface.
     bool hydrostatic = true;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(delta, where, "DensityDiffusionParameters::delta", "");
+    }
 };
 
 /// drho_a/dt += 2 delta h c sum_b V_b (rho_b - rho_a - rho_0/c^2 g.(x_b - x_a)) (x_b - x_a).grad_a W_ab / |x_ab|^2

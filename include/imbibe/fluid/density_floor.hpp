@@ -1,6 +1,7 @@
 // A floor under the density: water that is pulled apart opens up instead of clumping.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 
 namespace imbibe {
@@ -10,6 +11,11 @@ struct DensityFloorParameters {
     /// How fast a lack of density is made up, in units of c/spacing. 1 fills it within about one step of sound over a
     /// particle; below about 0.1 tension is hardly relieved.
     double rate = 1;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(rate, where, "DensityFloorParameters::rate", "");
+    }
 };
 
 /// drho_a/dt += rate c/spacing max(rho_0 - rho_a, 0), in kg/m^3/s.

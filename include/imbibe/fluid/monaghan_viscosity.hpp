@@ -1,6 +1,7 @@
 // Monaghan's artificial viscosity: damps what approaches, in fluids and in solids.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 
 #include <limits>
@@ -14,6 +15,12 @@ struct MonaghanViscosityParameters {
     /// Strength of the quadratic part, which keeps particles in strong shocks from passing through each other.
     /// The paper has none; the usual value for shocks is 2 alpha.
     double beta = 0;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(alpha, where, "MonaghanViscosityParameters::alpha", "");
+        require_not_negative(beta, where, "MonaghanViscosityParameters::beta", "");
+    }
 };
 
 /// dv_a/dt = - sum_b m_b Pi_ab grad_a W_ab, in m/s^2, with

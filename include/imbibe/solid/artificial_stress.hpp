@@ -1,6 +1,7 @@
 // The artificial stress that keeps the particles of a stretched solid from clumping.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -13,6 +14,11 @@ namespace imbibe {
 struct ArtificialStressParameters {
     /// How much of the tension is taken away between particles at their initial spacing. The paper leaves it open.
     double epsilon = 0.3;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(epsilon, where, "ArtificialStressParameters::epsilon", "");
+    }
 };
 
 /// R/rho^2, Pa m^6/kg^2: what ArtificialStress prepares once per particle.
@@ -113,6 +119,13 @@ struct ArtificialStress {
         }
     };
     using parts = Parts<Prepare, Push>;
+
+    /// Throws Error where the factor has no kernel to be measured by.
+    static void check(const auto& material, std::string_view where) {
+        require(material.spacing < material.support_radius, where, ": the artificial stress compares with the kernel at "
+                "the particle spacing, ", material.spacing, " m; that must be below the support radius, ",
+                material.support_radius, " m");
+    }
 };
 
 } // namespace imbibe

@@ -1,6 +1,7 @@
 // Hourglass control: resists the motions of a total-Lagrangian solid that its deformation gradient does not see.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/solid/displacement.hpp>
 
@@ -13,6 +14,11 @@ namespace imbibe {
 struct HourglassControlParameters {
     /// Stiffness of the control relative to Young's modulus. 0.1 is plenty for most; more stiffens bending.
     double alpha = 0.1;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(alpha, where, "HourglassControlParameters::alpha", "");
+    }
 };
 
 /// dv_a/dt = - alpha E/m_a sum_b V_a V_b W_ab/|X_ab|^2 (e_ab . n_ab) n_ab, in m/s^2, with

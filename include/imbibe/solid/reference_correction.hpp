@@ -1,6 +1,7 @@
 // Corrected gradients for a total-Lagrangian solid: exact for linear fields, also at faces, edges and corners.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/kernels/wendland.hpp>
 
@@ -25,6 +26,13 @@ struct ReferenceCorrectionParameters {
     double full_above = 2e-3;
     /// No correction where det M_a is below this; a straight ramp between the two.
     double none_below = 5e-4;
+
+    /// Throws Error for a number out of range. @param where the phase in the message
+    void check(std::string_view where) const {
+        require_not_negative(none_below, where, "ReferenceCorrectionParameters::none_below", "");
+        require(full_above >= none_below, where, ": ReferenceCorrectionParameters::full_above = ", full_above,
+                "; it must be at least none_below, ", none_below);
+    }
 };
 
 /// L_a = M_a^-1, from M_a = sum_b V_b (X_b - X_a) (x) grad_a W_ab with the stress-free positions X and volumes

@@ -1,6 +1,7 @@
 // Internal damping of a total-Lagrangian solid.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/fluid/pairwise_laplacian.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/solid/displacement.hpp>
@@ -11,6 +12,11 @@ namespace imbibe {
 struct TotalLagrangianViscosityParameters {
     /// Strength. 0.02 takes the ringing of single particles out and leaves a plate swinging; 1 is for hard impact.
     double alpha = 0.02;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(alpha, where, "TotalLagrangianViscosityParameters::alpha", "");
+    }
 };
 
 /// dv_a/dt = alpha h c/rho_0 sum_b m_b F_ab (v_ab . x_ab)/|x_ab|^2 x_ab, in m/s^2, with grad_a W_ab = F_ab X_ab of the

@@ -1,6 +1,7 @@
 // XSPH: the velocity smoothed over the neighbours, for gradients and, if wanted, for moving the particles.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 
 namespace imbibe {
@@ -9,6 +10,11 @@ namespace imbibe {
 struct XsphParameters {
     /// How far the velocity goes towards the mean of its neighbours: 0 not at all, 1 all the way. 0.5 in the paper.
     double strength = 0.5;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(strength, where, "XsphParameters::strength", "");
+    }
 };
 
 /// The mean of the neighbours' velocities relative to the particle's own, m/s: what Xsph sums.

@@ -224,11 +224,11 @@ public:
         });
     }
 
-    /// Measures the greatest speed of every phase; the acceleration is taken to be gravity. For the first step.
+    /// Measures the greatest speed of every phase; its acceleration is at least gravity. For the first step.
     void measure_motion() {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             auto& m = motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
-            m.acceleration = std::sqrt(squared_norm(gravity));
+            m.acceleration = std::max(m.acceleration, std::sqrt(squared_norm(gravity)));
             if constexpr (contains<Velocity, FieldsOf<P>>) {
                 double most = 0;
                 for (int i = 0; i < s.size(); ++i) {

@@ -1,6 +1,7 @@
 // The solver: a scene of phases and couplings, put together at compile time and run.
 #pragma once
 
+#include <imbibe/geometry/distinct.hpp>
 #include <imbibe/solver/engine.hpp>
 #include <imbibe/solver/settings.hpp>
 
@@ -70,10 +71,15 @@ public:
     // ---- building the scene ----
 
     /// Adds particles of a phase at the given points; each has mass density * spacing^dim.
+    ///
+    /// May be called again for the same phase: the material given first is that of the phase (change it by
+    /// `scene[phase].material()`), so density and spacing must be the same.
     /// @return what names the phase in `scene[...]`
-    /// @throws Error for a material or spacing out of range, or a coordinate that is not finite
+    /// @throws Error for a material or spacing out of range, a coordinate that is not finite, and two particles of the
+    /// phase nearer than 1e-3 spacings; the scene is then as it was
     template <class P>
     PhaseHandle<P> add(const P& material, const std::vector<Point>& points, double spacing) {
+        require_phase<P>();
         const std::string name = detail::type_name<P>();
         material.check(name);
         require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
@@ -90,6 +96,10 @@ public:
         auto& s = engine_.template state<P>();
         require(s.size() == 0 || s.material.spacing == spacing, name, ": particles were added with spacing ",
                 s.material.spacing, " m before and ", spacing, " m now; use a second phase for a second spacing");
+        require(s.size() == 0 || s.material.density == material.density, name, ": particles were added with density ",
+                s.material.density, " kg/m^3 before and ", material.density,
+                " kg/m^3 now; use a second phase for a second material");
+        require_distinct_in(s, points, spacing, name);
         if (s.size() == 0) {
             s.material = material;
             s.material.spacing = spacing;
@@ -119,16 +129,19 @@ public:
         prepared_ = false;
         return {};
     }
-    /// Holds the particles of a phase whose position fulfils `held`; the phase must list the term `Clamped`.
-    /// Returns how many they are.
+    /// Holds the particles of a phase whose position fulfils `held`: they stop and stay. The phase must list the term
+    /// `Clamped`. Returns how many they are.
     template <class P, class Held>
     int hold(PhaseHandle<P>, const Held& held) {
+        require_phase<P>();
         static_assert(detail::contains<Mobility, FieldsOf<P>>, "imbibe: list the term Clamped in the phase to hold it");
         auto& s = engine_.template state<P>();
         int number = 0;
         for (int i = 0; i < s.size(); ++i)
             if (held(position_of(s, i))) {
                 s.field(mobility)[i] = Real(0);
+                for (int d = 0; d < dim; ++d)
+                    s.column(State<P>::template offset<Velocity> + d)[i] = Real(0);
                 ++number;
             }
         return number;
@@ -177,10 +190,12 @@ public:
     };
     template <class P>
     PhaseView<P, State<P>> operator[](PhaseHandle<P>) {
+        require_phase<P>();
         return {engine_.template state<P>()};
     }
     template <class P>
     PhaseView<P, const State<P>> operator[](PhaseHandle<P>) const {
+        require_phase<P>();
         return {engine_.template state<P>()};
     }
     /// The same by the phase's type.
@@ -264,6 +279,8 @@ public:
         if (prepared_)
             return;
         require(particles() > 0, "the scene has no particles; add some before the first step");
+        check_phases(Phases{});
+        check_couplings(Couplings{});
         engine_.find_reference_neighbours();
         engine_.find_neighbours();
         engine_.template run<true>(0);
@@ -296,6 +313,47 @@ private:
         const auto limits = time_step_limits();
         return limits.empty() ? "none" : text(limits.front().seconds, " s (", limits.front().reason, ", ",
                                               limits.front().where, ")");
+    }
+
+    template <class P>
+    static constexpr void require_phase() {
+        static_assert(detail::contains<P, Phases>, "imbibe: this phase is not listed in the solver's type");
+    }
+    // The new points among themselves and against the particles the phase has already.
+    template <class S>
+    static void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing, const std::string& name) {
+        std::vector<Point> all = points;
+        for (int i = 0; i < s.size(); ++i)
+            all.push_back(position_of(s, i));
+        try {
+            require_distinct<dim>(all, spacing);
+        } catch (const Error& error) {
+            throw Error(text(name, ": ", error.what()));
+        }
+    }
+
+    // A term may say what its coefficients, or the material it is used with, must fulfil.
+    template <class... P>
+    void check_phases(TypeList<P...>) const {
+        (check_terms<P>(engine_.template state<P>().material, typename P::terms{}), ...);
+    }
+    template <class... C>
+    void check_couplings(TypeList<C...>) const {
+        (check_terms<C>(coupling<C>(), typename C::terms{}), ...);
+    }
+    template <class Where, class Owner, class... Term>
+    static void check_terms(const Owner& owner, TypeList<Term...>) {
+        (check_term<typename detail::Unwrapped<Term>::type>(owner, detail::type_name<Where>()), ...);
+    }
+    template <class Term, class Owner>
+    static void check_term(const Owner& owner, const std::string& name) {
+        if constexpr (requires { typename Term::Parameters; }) {
+            const auto& parameters = owner.coefficients.template get<typename Term::Parameters>();
+            if constexpr (requires { parameters.check(name); })
+                parameters.check(name);
+        }
+        if constexpr (requires { Term::check(owner, name); })
+            Term::check(owner, name);
     }
 
     template <class S>
