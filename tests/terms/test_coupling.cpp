@@ -72,6 +72,34 @@ TEST_CASE("KernelRepulsion is the mended Eq. (24): 4.5e7 m/s^2 a neighbour, and 
     CHECK(plain(contribution(pair_of(s, f), term(s, f, pair_of(s, f))))[0] > 0);
 }
 
+TEST_CASE("KernelRepulsion with a range of its own reaches as far, and no further") {
+    auto f = water();
+    auto s = sponge();
+    f.spacing = 0.8e-3;
+    s.spacing = 0.5e-3;
+    const double reach = 0.7 * 0.65e-3, K = 1e4;
+    KernelRepulsion<> term;
+    term.parameters = {.stiffness = K, .range = 0.7};
+    const auto push = [&](double distance) {
+        Particle<3, Number<double>, Water> a(f);
+        Particle<3, Number<double>, Sponge> b(s);
+        a.set(position, {0, 0, 0}).set(mass, 1000 * std::pow(8e-4, 3)).set(density, 1000);
+        b.set(position, {distance, 0, 0}).set(mass, 950 * std::pow(5e-4, 3)).set(density, 950);
+        const auto ab = pair_of(a, b);
+        return plain(contribution(ab, term(a, b, ab)))[0];
+    };
+    CHECK(push(1.0001 * reach) == 0);
+    const double at = 0.5 * reach; // dW/dr = -45/(pi R^6) (R - r)^2
+    const double slope = 45 / (pi * std::pow(reach, 6)) * (reach - at) * (reach - at);
+    CHECK(push(at) == Approx(-K * std::pow(5e-4, 3) / 1000 * slope).epsilon(1e-9));
+    // The limit on the step is that of the shorter kernel.
+    const TimeStepInput in{H, 8e-4, 0.3, 0, 3, 5e-4, 0.0};
+    TimeStepInput shorter = in;
+    shorter.support_radius = reach;
+    CHECK(KernelRepulsion<>::time_step_limit(f, s, in, term.parameters) ==
+          Approx(KernelRepulsion<>::time_step_limit(f, s, shorter, {.stiffness = K})).epsilon(1e-12));
+}
+
 TEST_CASE("the terms of the fluid in a coupling are Eqs. (23) and (25), pair by pair") {
     check_pairwise_balance<2>();
     check_pairwise_balance<3>();

@@ -1,6 +1,7 @@
 // Density diffusion (delta-SPH): takes the checkerboard out of the pressure of a weakly compressible fluid.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/fluid/pairwise_laplacian.hpp>
 #include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/wendland.hpp>
