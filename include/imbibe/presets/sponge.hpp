@@ -74,7 +74,7 @@ struct PaperSponge {
 
 /// The same scene with schemes that converge: Wendland C2 with 2.6 spacings of support, density diffusion, the
 /// volume-based pressure, walls and sponge as one kind of obstacle to the water, to which its pressure is continued
-/// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over 0.7 spacings, and a total-Lagrangian St. Venant-Kirchhoff sponge with corrected
+/// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, and a total-Lagrangian St. Venant-Kirchhoff sponge with corrected
 /// gradients and hourglass control. Sound speed: ten times the speed of the fall. The sponge has a support of its own,
 /// 2 spacings: with 2.6 a plate of nine layers swings 5 % too fast, and costs twice as much.
 struct SoundSponge {
@@ -110,11 +110,10 @@ struct SoundSponge {
         scene.add(Vessel{{.density = 1000}}, c.vessel(reach), c.water_spacing);
         // Where suction is cut off, single particles would sink into the surface along which they slide.
         const PressureExtrapolationParameters no_suction{.suction = false};
-        const KernelRepulsionParameters guard{.stiffness = 1e4, .range = 0.7};
         scene.template coupling<Contact>().set(no_suction);
-        scene.template coupling<Contact>().set(guard);
+        scene.template coupling<Contact>().set(KernelRepulsionParameters{.stiffness = 1e3, .range = 0.7});
         scene.template coupling<Sides>().set(no_suction);
-        scene.template coupling<Sides>().set(guard);
+        scene.template coupling<Sides>().set(KernelRepulsionParameters{.stiffness = 1e3, .range = 0.8});
         return scene;
     }
 };
