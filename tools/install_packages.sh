@@ -5,6 +5,7 @@
 #   sh tools/install_packages.sh          for the library, the examples and their pictures
 #   sh tools/install_packages.sh tests    for the tests as well
 #   sh tools/install_packages.sh clang    for a build with clang++ as well
+#   sh tools/install_packages.sh benchmarks    for the benchmarks as well
 set -eu
 
 packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy python3-matplotlib"
@@ -12,7 +13,8 @@ for group in "$@"; do
     case $group in
         tests) packages="$packages python3-vtk9" ;;
         clang) packages="$packages clang libomp-dev" ;;
-        *) echo "$0: there is no group '$group'; the groups are: tests, clang" >&2; exit 2 ;;
+        benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind" ;;
+        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks" >&2; exit 2 ;;
     esac
 done
 

@@ -1,0 +1,94 @@
+// Measures whole steps (Solver::step): a cube of water in free fall, a dam break in a tank, an elastic column that
+// sways. Names: scene/real/particles of the moving phase/threads. For the counters see support/steps.hpp; times are
+// per particle of the scene, walls included. Run it:
+//
+//   build-benchmark/benchmarks/bench_steps
+//   build-benchmark/benchmarks/bench_steps --benchmark_filter='dam_break/float/100000'
+#include "support/cloud.hpp"
+#include "support/fluid.hpp"
+#include "support/steps.hpp"
+
+#include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/geometry/tank.hpp>
+#include <imbibe/solid/clamped.hpp>
+#include <imbibe/solid/total_lagrangian.hpp>
+#include <imbibe/solver/solver.hpp>
+#include <imbibe/time/symplectic_euler.hpp>
+#include <imbibe/wall/pressure_extrapolation.hpp>
+
+namespace {
+
+using namespace imbibe;
+using K = WendlandC2;
+
+/// The fluid that other codes are compared with, and nothing else.
+template <class Real>
+struct Cube {
+    using Scene = Solver<3, Real, SymplecticEuler, bench::Water>;
+    static Scene make(int particles, int threads) {
+        Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * bench::spacing, .threads = threads});
+        scene.add(bench::water<bench::Water>(), bench::cube(particles), bench::spacing);
+        return scene;
+    }
+};
+
+/// The scene of examples/dam_break.cpp, in any size.
+struct Water : Fluid<Tait<7>, VolumeContinuity<K>, DensityDiffusion<K>, VolumePressure<K>, MonaghanViscosity<K>> {};
+struct Tank : Wall<> {};
+struct TankSides
+    : Coupling<Water, Tank, Into<Tank, PressureExtrapolation<K>>, VolumePressure<K>, Into<Water, VolumeContinuity<K>>> {
+};
+template <class Real>
+struct DamBreak {
+    using Scene = Solver<3, Real, SymplecticEuler, Water, Tank, TankSides>;
+    static Scene make(int particles, int threads) {
+        const double dx = std::cbrt(0.5 * 0.3 * 0.5 / particles);
+        Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx, .threads = threads});
+        Water water{{.density = 1000, .sound_speed = 45}};
+        water.set(MonaghanViscosityParameters{.alpha = 0.02});
+        scene.add(water, fill(Box<3>({0, 0, 0}, {0.5, 0.3, 0.5}), dx), dx);
+        scene.add(Tank{{.density = 1000}}, tank(Box<3>({0, 0, 0}, {1.6, 0.3, 0.8}), dx, 3, Sides::z_high), dx);
+        return scene;
+    }
+};
+
+/// A total-Lagrangian column, five times as high as wide, held at its foot, that has been pushed.
+struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>,
+                      HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
+template <class Real>
+struct Column {
+    using Scene = Solver<3, Real, SymplecticEuler, Rubber>;
+    static Scene make(int particles, int threads) {
+        const double dx = std::cbrt(0.2 * 0.2 * 1.0 / particles);
+        Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2 * dx, .threads = threads});
+        const Rubber rubber{{.density = 1000, .sound_speed = 40, .shear_modulus = 7e5}};
+        const auto column = scene.add(rubber, fill(Box<3>({0, 0, 0}, {0.2, 0.2, 1.0}), dx), dx);
+        for (int i = 0; i < scene[column].size(); ++i)
+            scene[column][velocity](i, 0) = scene[column][position](i, 2);
+        scene.hold(column, [&](const Point<3>& x) { return x[2] < 2 * dx; });
+        return scene;
+    }
+};
+
+template <class Real>
+void add_all() {
+    const std::vector<std::int64_t> sizes{10'000, 100'000, 1'000'000};
+    const auto add = [&]<class Case>(const char* name, Case) {
+        bench::add_steps<typename Case::Scene>(name + ("/" + std::string(bench::real_name<Real>)), Case::make, sizes);
+    };
+    add("cube", Cube<Real>{});
+    add("dam_break", DamBreak<Real>{});
+    add("column", Column<Real>{});
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    add_all<float>();
+    add_all<double>();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+        return 1;
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,133 @@
+// A fixed piece of work, for counting instructions: unlike times, their number does not depend on what else the machine
+// does. `measured` is called once with the work; all around it is preparation. The program prints over how many
+// particles, or evaluations, the count is to be divided. Compiled for the same instruction set everywhere (valgrind has
+// no AVX-512). tools/count_instructions.py runs all cases:
+//
+//   python3 tools/count_instructions.py build-benchmark/benchmarks/count_instructions -o counts.json
+//   build-benchmark/benchmarks/count_instructions            the names of the cases
+//   valgrind --tool=callgrind --toggle-collect=measured build-benchmark/benchmarks/count_instructions fluid_step_float
+#include "support/block.hpp"
+#include "support/fluid.hpp"
+
+#include <imbibe/kernels/kernels.hpp>
+#include <imbibe/solid/total_lagrangian.hpp>
+
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+
+// By its C name callgrind finds it, whatever the compiler.
+extern "C" __attribute__((noinline)) void measured(const std::function<void()>* work) {
+    (*work)();
+    __asm__ volatile("" ::: "memory"); // no tail call: callgrind is to see where it ends
+}
+
+namespace {
+
+using namespace imbibe;
+using bench::Water;
+using K = WendlandC2;
+
+struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>,
+                      HourglassControl<K>, TotalLagrangianViscosity<K>> {};
+
+constexpr int particles = 8000;
+constexpr double support = 2.6;
+
+void count(const std::function<void()>& work) {
+    measured(&work);
+}
+
+/// W and the factor of its gradient, of every kernel, in whole packs.
+template <class Real, class... Kernel>
+double kernels() {
+    constexpr int width = native_width<Real>, n = 1024;
+    using T = Pack<Real, width>;
+    std::vector<Real> r(n), w(n, Real(0));
+    for (std::size_t k = 0; k < n; ++k)
+        r[k] = static_cast<Real>(1.05e-2 * static_cast<double>(k) / n);
+    Pair<3, T> ab{};
+    ab.support_radius = T(1e-2);
+    ab.inverse_support = T(1e2);
+    const auto add = [&](std::size_t k, auto kernel) {
+        ab.distance = T::load(r.data() + k);
+        const T all = T::load(w.data() + k) + ab.value(kernel) + ab.gradient(kernel);
+        std::memcpy(w.data() + k, &all, sizeof(T));
+    };
+    count([&] {
+        (
+            [&] {
+                for (std::size_t k = 0; k < n; k += width)
+                    add(k, Kernel{});
+            }(),
+            ...);
+    });
+    return n * sizeof...(Kernel);
+}
+
+/// The runs of all particles.
+template <class Real>
+double search() {
+    bench::Cloud<Real> cloud(particles, support * bench::spacing, bench::Order::sorted);
+    search::RunList runs;
+    const auto find = [&] {
+        cloud.find_order();
+        search::find_runs<native_width<Real>>(runs, cloud.points(), cloud.points(), cloud.grid, cloud.table,
+                                              cloud.support, 1);
+    };
+    find(); // makes room
+    count(find);
+    return cloud.count;
+}
+
+/// The loops of a step without the search and the motion.
+template <class Real, class Phase>
+double loops(const Phase& phase) {
+    auto engine = bench::block<Real>(phase, particles, support);
+    count([&] { engine.template run<false>(0); });
+    return engine.template state<Phase>().size();
+}
+
+/// A whole step.
+template <class Real, class Phase>
+double step(const Phase& phase) {
+    auto engine = bench::block<Real>(phase, particles, support);
+    SymplecticEuler::step(engine, 1e-6);
+    count([&] { SymplecticEuler::step(engine, 1e-6); });
+    return engine.template state<Phase>().size();
+}
+
+template <class Real>
+void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
+    cases["kernels_" + real] =
+        kernels<Real, CubicSpline, QuinticSpline, WendlandC2, WendlandC4, WendlandC6, Poly6, Spiky>;
+    cases["search_" + real] = search<Real>;
+    cases["fluid_loops_" + real] = [] { return loops<Real>(bench::water<Water>()); };
+    cases["fluid_loops_in_one_sweep_" + real] = [] { return loops<Real>(bench::water<bench::WaterInOneSweep>()); };
+    cases["fluid_step_" + real] = [] { return step<Real>(bench::water<Water>()); };
+    cases["solid_step_" + real] = [] {
+        return step<Real>(Rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}});
+    };
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::map<std::string, double (*)()> cases;
+    add<float>(cases, "float");
+    add<double>(cases, "double");
+    if (argc == 2 && cases.contains(argv[1])) {
+        std::printf("items %.0f\n", cases[argv[1]]());
+        return 0;
+    }
+    for (const auto& [name, work] : cases)
+        std::printf("case %s\n", name.c_str());
+#ifdef __clang__
+    std::printf("compiler clang++ %s\n", __clang_version__);
+#else
+    std::printf("compiler g++ %s\n", __VERSION__);
+#endif
+    return argc == 1 ? 0 : 2;
+}

@@ -1,0 +1,75 @@
+// Measures what this machine can do at most, so that other results can be given as a fraction of it: multiply-adds in
+// registers (counter `flops`, two per multiply-add) and the bandwidth of memory (counter `bytes`, for a = b + s c with
+// three arrays far larger than the caches, each number counted once). Run it:
+//
+//   build-benchmark/benchmarks/peaks
+#include "support/measure.hpp"
+
+#include <imbibe/core/pack.hpp>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace imbibe;
+using benchmark::Counter;
+
+// Each sum waits for itself alone: as many of them as it takes to keep two units with a latency of four busy.
+constexpr int sums = 12, rounds = 1000;
+
+template <class Real, int width>
+void multiply_add(benchmark::State& state) {
+    using T = Pack<Real, width>;
+    T x[sums], factor(0.999), summand(0.001);
+    for (int k = 0; k < sums; ++k)
+        x[k] = T(k);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(factor);
+        benchmark::DoNotOptimize(summand);
+        const T f = factor, s = summand;
+        for (int r = 0; r < rounds; ++r)
+            for (int k = 0; k < sums; ++k)
+                x[k] = x[k] * f + s;
+        benchmark::DoNotOptimize(x);
+    }
+    state.counters["flops"] = Counter(2.0 * sums * rounds * width, Counter::kIsIterationInvariantRate);
+    state.counters["width"] = width;
+}
+
+void triad(benchmark::State& state, int threads) {
+    constexpr std::size_t n = 16 << 20; // 128 MiB an array
+    static std::vector<double> a(n, 1), b(n, 2), c(n, 3);
+    for (auto _ : state) {
+#ifdef _OPENMP
+#pragma omp parallel for num_threads(threads) schedule(static)
+#endif
+        for (std::size_t i = 0; i < n; ++i)
+            a[i] = b[i] + 0.5 * c[i];
+        benchmark::ClobberMemory();
+    }
+    state.counters["bytes"] = Counter(3.0 * sizeof(double) * n, Counter::kIsIterationInvariantRate);
+    state.counters["threads"] = threads;
+}
+
+template <class Real>
+void register_multiply_add() {
+    constexpr int width = native_width<Real>;
+    const std::string name = std::string("multiply_add/") + bench::real_name<Real> + "/" + std::to_string(width);
+    benchmark::RegisterBenchmark(name.c_str(), multiply_add<Real, width>);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    register_multiply_add<float>();
+    register_multiply_add<double>();
+    benchmark::RegisterBenchmark("triad/1_thread", triad, 1);
+#ifdef _OPENMP
+    benchmark::RegisterBenchmark("triad/2_threads", triad, 2)->UseRealTime();
+#endif
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+        return 1;
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,52 @@
+// Measures whole steps of a scene.
+#pragma once
+
+#include "measure.hpp"
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace imbibe::bench {
+
+/// Takes steps of the scene that `make(size, threads)` returns, both from the benchmark's arguments.
+/// Counters: `particle`, the time per particle and step, and `moving`, per particle that is not a wall's; `bytes`, what
+/// a particle stores, and `list_bytes`, its runs; `neighbours`, those of the first phase among its own.
+template <class Scene, class Make>
+void steps(benchmark::State& state, const Make& make) {
+    const auto size = state.range(0), threads = state.range(1);
+    auto& scene = kept<Scene>(std::pair{size, threads}, [&](const auto&) {
+        auto made = make(static_cast<int>(size), static_cast<int>(threads));
+        for (int k = 0; k < 3; ++k) // all memory is there, and the caches are warm
+            made.step();
+        return made;
+    });
+    for (auto _ : state)
+        scene.step();
+    const auto n = static_cast<double>(scene.particles());
+    double moving = 0;
+    scene.engine().for_each_phase(
+        [&]<class P>(std::type_identity<P>, const auto& phase) { moving += P::moves ? phase.size() : 0; });
+    per_item(state, "particle", n);
+    per_item(state, "moving", moving);
+    state.counters["particles"] = n;
+    state.counters["threads"] = static_cast<double>(threads);
+    state.counters["bytes"] = static_cast<double>(scene.engine().particle_bytes()) / n;
+    state.counters["list_bytes"] = static_cast<double>(scene.engine().list_bytes()) / n;
+    double neighbours = 0;
+    scene.engine().for_each_link(
+        [&](const auto& link) { neighbours = neighbours > 0 ? neighbours : scene.engine().mean_neighbours(link); });
+    state.counters["neighbours"] = neighbours;
+}
+
+/// Registers the benchmark `name` for each size, on one thread (CPU time) and on two (real time).
+template <class Scene, class Make>
+void add_steps(const std::string& name, const Make& make, const std::vector<std::int64_t>& sizes) {
+    const auto run = [make](benchmark::State& state) { steps<Scene>(state, make); };
+    benchmark::RegisterBenchmark(name.c_str(), run)->ArgsProduct({sizes, {1}});
+#ifdef _OPENMP
+    benchmark::RegisterBenchmark(name.c_str(), run)->ArgsProduct({sizes, {2}})->UseRealTime();
+#endif
+}
+
+} // namespace imbibe::bench

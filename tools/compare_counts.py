@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Compares two files of instruction counts; fails when one has grown by more than 3 %.
+
+    python3 tools/compare_counts.py benchmarks/baseline_counts.json counts.json
+
+The files are written by tools/count_instructions.py. Ends with 0 if no count has grown, 1 if one has or is missing, and
+77 if the counts come from different compilers and so say nothing about the code. When fewer or more instructions are
+meant to be, the new file becomes the stored one: python3 tools/count_instructions.py ... -o benchmarks/baseline_counts.json
+"""
+
+import argparse
+import json
+import sys
+
+NOT_COMPARABLE = 77
+
+
+def read(path):
+    try:
+        with open(path) as file:
+            found = json.load(file)
+        return found["compiler"], {case: float(number) for case, number in found["counts"].items()}
+    except OSError as error:
+        sys.exit(f"compare_counts.py: cannot read {path}: {error.strerror}")
+    except (ValueError, KeyError, TypeError, AttributeError):
+        sys.exit(f"compare_counts.py: {path} is not a file of counts as tools/count_instructions.py writes them")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("old")
+    parser.add_argument("new")
+    parser.add_argument("--tolerance", type=float, default=3, help="growth that is let pass, percent (default: 3)")
+    arguments = parser.parse_args()
+    (old_compiler, old), (new_compiler, new) = read(arguments.old), read(arguments.new)
+
+    width = max(map(len, [*old, *new, "case"]))
+    print(f"{'case':{width}}  {'old':>10}  {'new':>10}  {'change':>8}")
+    grown = []
+    for case in sorted({*old, *new}):
+        before, now = old.get(case), new.get(case)
+        row = f"{case:{width}}  {'-' if before is None else f'{before:.1f}':>10}  {'-' if now is None else f'{now:.1f}':>10}"
+        if before and now is not None:
+            change = 100 * (now / before - 1)
+            row += f"  {change:+7.1f}%"
+        if before is not None and now is None:
+            grown.append(f"{case} is missing")
+            row += "  missing"
+        elif before and now is not None and change > arguments.tolerance:
+            grown.append(f"{case} by {change:.1f} %")
+            row += "  grown"
+        print(row)
+
+    if old_compiler != new_compiler:
+        print(f"not compared: the old counts are of {old_compiler}, the new ones of {new_compiler}")
+        return NOT_COMPARABLE
+    if grown:
+        print(f"more than {arguments.tolerance:g} % more instructions: {'; '.join(grown)}")
+        return 1
+    print(f"no count has grown by more than {arguments.tolerance:g} %")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Counts the instructions of every case of benchmarks/count_instructions.cpp under valgrind, per particle.
+
+    python3 tools/count_instructions.py build-benchmark/benchmarks/count_instructions -o counts.json
+
+Unlike times, the counts do not depend on what else the machine does, but they do depend on the compiler, whose name is
+written beside them. Two files are compared by tools/compare_counts.py.
+"""
+
+import argparse
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+
+def output_of(command):
+    """What the command prints on both streams, or the end of the program with a line that says what failed."""
+    try:
+        done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    except OSError as error:
+        sys.exit(f"count_instructions.py: cannot run {command[0]}: {error.strerror}")
+    if done.returncode != 0:
+        sys.exit(f"count_instructions.py: failed: {' '.join(command)}\n{done.stdout}")
+    return done.stdout
+
+
+def number_after(word, text, command):
+    found = re.search(rf"{word}\s*:?\s*(\d+)", text)
+    if not found or int(found.group(1)) == 0:
+        sys.exit(f"count_instructions.py: no number after '{word}' in what this printed: {' '.join(command)}\n{text}")
+    return int(found.group(1))
+
+
+def count(program, case):
+    """Instructions per particle, or per evaluation, of one case."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = ["valgrind", "--tool=callgrind", "--toggle-collect=measured",
+                   f"--callgrind-out-file={os.path.join(folder, 'callgrind.out')}", program, case]
+        text = output_of(command)
+    return number_after("Collected", text, command) / number_after("items", text, command)
+
+
+def counts_of(program):
+    """{"compiler": ..., "counts": {case: instructions}} of all cases of the program."""
+    if not shutil.which("valgrind"):
+        sys.exit("count_instructions.py: valgrind is missing; run: sh tools/install_packages.sh benchmarks")
+    lines = output_of([program]).splitlines()
+    compiler = [line.split(" ", 1)[1] for line in lines if line.startswith("compiler ")]
+    cases = [line.split(" ", 1)[1] for line in lines if line.startswith("case ")]
+    return {"compiler": compiler[0], "counts": {case: round(count(program, case), 2) for case in cases}}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", help="the program count_instructions")
+    parser.add_argument("-o", "--output", default="counts.json", help="the file to write (default: counts.json)")
+    arguments = parser.parse_args()
+    found = counts_of(os.path.abspath(arguments.program))
+    try:
+        with open(arguments.output, "w") as file:
+            json.dump(found, file, indent=4)
+            file.write("\n")
+    except OSError as error:
+        sys.exit(f"count_instructions.py: cannot write {arguments.output}: {error.strerror}")
+    print(f"wrote {arguments.output}")
+
+
+if __name__ == "__main__":
+    main()
