@@ -176,10 +176,11 @@ struct Pack {
     /// Correctly rounded, but for whole AVX-512 registers, where it is by a reciprocal that is improved to the last bit
     /// or the one before it: the divider would hold up everything else. There |b| must be from 1e-37 to 1e37.
     friend IMBIBE_INLINE constexpr Pack operator/(Pack a, Pack b) {
-        if constexpr (detail::fills_avx512<Real, width>) {
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+        if constexpr (detail::fills_avx512<Real, width>)
             if (!std::is_constant_evaluated())
                 return made(detail::divide(a.lanes, b.lanes));
-        }
+#endif
         return made(a.lanes / b.lanes);
     }
     friend IMBIBE_INLINE constexpr Pack operator-(Pack a) { return made(-a.lanes); }

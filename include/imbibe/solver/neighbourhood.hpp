@@ -1,0 +1,197 @@
+// Who is near whom: sorts the particles of a scene and finds their neighbours, those of now in every step and those of
+// the stress-free configuration once.
+#pragma once
+
+#include <imbibe/solver/scene_state.hpp>
+
+namespace imbibe::detail {
+
+template <int dim, class Real, class Scene>
+class Neighbourhood : public SceneState<dim, Real, Scene> {
+    using Base = SceneState<dim, Real, Scene>;
+
+public:
+    template <class P>
+    using State = typename Base::template State<P>;
+    using Links = typename Base::Links;
+    using Base::any_periodic;
+    using Base::for_each_phase;
+
+    /// Once, when the particles are there: puts total-Lagrangian phases into the order of their reference positions
+    /// and finds the neighbours they keep.
+    void find_reference_neighbours() {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            if constexpr (State<P>::keeps_reference) {
+                if (s.size() == 0)
+                    return;
+                const auto bounds = search::bounds_of(s.points_of(reference_position), this->threads);
+                search::Grid<dim> reference_grid;
+                reference_grid.fit(bounds, s.material.support_radius, this->periodic, s.size());
+                search::CellTable table;
+                if (!table.sort(reference_grid, s.points_of(reference_position), this->threads))
+                    s.reorder(table.order(), this->threads);
+                const auto points = s.points_of(reference_position);
+                this->for_each_link([&]<class L>(L& link) {
+                    if constexpr (L::reference && std::is_same_v<typename L::A, P>) {
+                        link.support = s.material.support_radius;
+                        search::find_runs<Base::width>(link.runs, points, points, reference_grid, table, link.support,
+                                                       this->threads);
+                    }
+                });
+            }
+        });
+    }
+
+    /// In every step: sorts what moves and finds the neighbours of now.
+    void find_neighbours() {
+        search::Bounds<dim> all;
+        long long particles = 0;
+        double greatest_support = 0;
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            if (s.size() == 0)
+                return;
+            if constexpr (State<P>::keeps_reference)
+                s.bounds = wrapped(search::bounds_of(s.points(), this->threads));
+            else {
+                wrap(s);
+                s.bounds = search::bounds_of(s.points(), this->threads);
+            }
+            if (s.bounds.not_finite >= 0)
+                throw_not_finite(s, s.bounds.not_finite);
+            all.include(s.bounds);
+            particles += s.size();
+            if (takes_part<P>())
+                greatest_support = std::max(greatest_support, s.material.support_radius);
+        });
+        if (greatest_support == 0)
+            return;
+        grid.fit(all, greatest_support, this->periodic, particles);
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            if (s.size() > 0 && takes_part<P>())
+                sort(s);
+            s.pad();
+        });
+        this->for_each_link([&]<class L>(L& link) {
+            if constexpr (!L::reference) {
+                auto& a = this->template state<typename L::A>();
+                auto& b = this->template state<typename L::B>();
+                link.support = this->template support<typename L::A, typename L::B>();
+                if (a.size() == 0 || b.size() == 0 || this->template are_apart<typename L::A, typename L::B>())
+                    link.runs.clear_all(a.size());
+                else
+                    search::find_runs<Base::width>(link.runs, a.points(), seen_points(b), grid, b.table, link.support,
+                                                   this->threads);
+            }
+        });
+    }
+
+    /// Are the boxes around two phases further apart than their support radius? Never, where sides are periodic.
+    template <class A, class B>
+    bool are_apart() const {
+        return !any_periodic() && this->template state<A>().bounds.far_from(this->template state<B>().bounds,
+                                                                            this->template support<A, B>());
+    }
+
+    /// The mean number of neighbours within the support, the particle itself not counted, over a sample of particles.
+    template <class L>
+    double mean_neighbours(const L& link) const {
+        const auto& a = this->template state<typename L::A>();
+        const auto& b = this->template state<typename L::B>();
+        if (a.size() == 0 || link.runs.is_empty())
+            return 0;
+        using Place = std::conditional_t<L::reference, ReferencePosition, Position>;
+        const auto targets = a.points_of(Place{});
+        const auto sources = L::reference ? b.points_of(Place{}) : seen_points(b);
+        const int stride = std::max(1, a.size() / 1000);
+        long long found = 0, sampled = 0;
+        for (int i = 0; i < a.size(); i += stride, ++sampled)
+            for (const search::Run run : link.runs[i])
+                for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
+                    double distance2 = 0;
+                    for (int d = 0; d < dim; ++d) {
+                        const auto k = static_cast<std::size_t>(d);
+                        distance2 += sq(static_cast<double>(targets.x[k][i]) -
+                                        search::image_step(run.shift, d) * this->periodic.length[k] -
+                                        static_cast<double>(sources.x[k][j]));
+                    }
+                    found += distance2 > 0 && distance2 < link.support * link.support;
+                }
+        return static_cast<double>(found) / static_cast<double>(sampled);
+    }
+
+protected:
+    /// The points of a phase as others see it: in the order of the cells.
+    template <class S>
+    static search::Points<dim, Real> seen_points(const S& s) {
+        if constexpr (S::keeps_reference)
+            return s.image_points();
+        else
+            return s.points();
+    }
+
+private:
+    search::Grid<dim> grid;
+
+    /// Does any sweep over the neighbours of now involve phase P?
+    template <class P>
+    static constexpr bool takes_part() {
+        return takes_part_in<P>(Links{});
+    }
+    template <class P, class... L>
+    static constexpr bool takes_part_in(TypeList<L...>) {
+        return ((!L::reference && (std::is_same_v<P, typename L::A> || std::is_same_v<P, typename L::B>)) || ...);
+    }
+
+    template <class S>
+    [[noreturn]] void throw_not_finite(const S& s, int i) const {
+        throw Error(text("a coordinate of particle ", s.ids[static_cast<std::size_t>(i)], " of phase ",
+                         type_name<std::remove_cvref_t<decltype(s.material)>>(),
+                         " is not a finite number, or is beyond 1e30 m"));
+    }
+
+    // Periodic sides: particles that leave on one side come back on the other.
+    template <class S>
+    void wrap(S& s) {
+        for (int d = 0; d < dim; ++d)
+            wrap_column(s.column(S::template offset<Position> + d), s.size(), d);
+    }
+    void wrap_column(Real* x, int n, int d) {
+        const auto k = static_cast<std::size_t>(d);
+        if (this->periodic.length[k] == 0)
+            return;
+        const Real low = static_cast<Real>(this->periodic.lower[k]),
+                   length = static_cast<Real>(this->periodic.length[k]);
+        for (int i = 0; i < n; ++i)
+            x[i] = search::into_period(x[i], low, length);
+    }
+    search::Bounds<dim> wrapped(search::Bounds<dim> b) const {
+        for (std::size_t d = 0; d < dim; ++d)
+            if (this->periodic.length[d] > 0) {
+                b.lower[d] = this->periodic.lower[d];
+                b.upper[d] = this->periodic.lower[d] + this->periodic.length[d];
+            }
+        return b;
+    }
+
+    template <class S>
+    void sort(S& s) {
+        if constexpr (S::keeps_reference) {
+            s.image_order.resize(static_cast<std::size_t>(s.size()));
+            for (std::size_t i = 0; i < s.image_order.size(); ++i)
+                s.image_order[i] = static_cast<std::uint32_t>(i);
+            s.copy_to_image(S::template offset<Position>, dim, this->threads);
+            for (int d = 0; d < dim; ++d)
+                wrap_column(s.image_column(S::template offset<Position> + d), s.size(), d);
+            if (!s.table.sort(grid, s.image_points(), this->threads)) {
+                s.image_order = s.table.order();
+                s.copy_to_image(S::template offset<Position>, dim, this->threads);
+                for (int d = 0; d < dim; ++d)
+                    wrap_column(s.image_column(S::template offset<Position> + d), s.size(), d);
+            }
+        } else if (!s.table.sort(grid, s.points(), this->threads)) {
+            s.reorder(s.table.order(), this->threads);
+        }
+    }
+};
+
+} // namespace imbibe::detail

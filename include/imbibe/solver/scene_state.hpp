@@ -1,0 +1,136 @@
+// All that a running scene consists of: the particles of its phases, its couplings, the neighbour lists and how fast
+// each phase moves. What is done with it is in the layers above: neighbourhood.hpp, motion.hpp, engine.hpp.
+#pragma once
+
+#include <imbibe/solver/state.hpp>
+
+namespace imbibe::detail {
+
+/// The neighbours of phase A's particles among those of phase B.
+template <class A_, class B_, bool reference_>
+struct Link {
+    using A = A_;
+    using B = B_;
+    static constexpr bool reference = reference_;
+    search::RunList runs;
+    double support = 0; ///< m
+};
+
+template <int dim, class List>
+struct LinksOf;
+template <int dim, class... N>
+struct LinksOf<dim, TypeList<N...>> {
+    using type =
+        Unique<Concat<std::conditional_t<is_pair_node<dim, N>,
+                                         TypeList<Link<typename N::A, typename N::B, N::reference>>, TypeList<>>...>>;
+};
+
+/// How fast a phase moves: the greatest speed, m/s, and the greatest acceleration, m/s^2.
+struct Motion {
+    double speed = 0, acceleration = 0;
+};
+
+/// @tparam Scene a Composition
+template <int dim, class Real, class Scene>
+class SceneState {
+public:
+    static constexpr int width = native_width<Real>;
+    template <class P>
+    using FieldsOf = typename Scene::template FieldsOf<P>;
+    template <class P>
+    using State = PhaseState<P, FieldsOf<P>, dim, Real>;
+    using Phases = typename Scene::Phases;
+    using Links = typename LinksOf<dim, typename Scene::Nodes>::type;
+
+    Vector<double, dim> gravity{};
+    search::Periodic<dim> periodic;
+    int threads = 1;
+
+    template <class P>
+    State<P>& state() {
+        return std::get<State<P>>(states);
+    }
+    template <class P>
+    const State<P>& state() const {
+        return std::get<State<P>>(states);
+    }
+    template <class C>
+    C& coupling() {
+        return std::get<C>(couplings);
+    }
+    template <class C>
+    const C& coupling() const {
+        return std::get<C>(couplings);
+    }
+    template <class A, class B, bool reference>
+    const Link<A, B, reference>& link() const {
+        return std::get<Link<A, B, reference>>(links);
+    }
+    template <class P>
+    const Motion& motion() const {
+        return motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
+    }
+    /// H between two phases: the larger of the two.
+    template <class A, class B>
+    double support() const {
+        return std::max(state<A>().material.support_radius, state<B>().material.support_radius);
+    }
+    /// Calls f(state) for every phase.
+    template <class F>
+    void for_each_phase(const F& f) {
+        each_phase(f, Phases{});
+    }
+    template <class F>
+    void for_each_phase(const F& f) const {
+        each_phase(f, Phases{});
+    }
+
+    /// Calls f(link) for every pair of phases that have neighbours in each other.
+    template <class F>
+    void for_each_link(const F& f) const {
+        std::apply([&](const auto&... link) { (f(link), ...); }, links);
+    }
+    /// The same, to change them.
+    template <class F>
+    void for_each_link(const F& f) {
+        std::apply([&](auto&... link) { (f(link), ...); }, links);
+    }
+    bool any_periodic() const {
+        return std::any_of(periodic.length.begin(), periodic.length.end(), [](double length) { return length > 0; });
+    }
+    std::size_t particle_bytes() const {
+        std::size_t sum = 0;
+        for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) { sum += s.bytes(); });
+        return sum;
+    }
+    std::size_t list_bytes() const {
+        std::size_t sum = 0;
+        std::apply([&](const auto&... link) { ((sum += link.runs.bytes()), ...); }, links);
+        return sum;
+    }
+
+protected:
+    std::array<Motion, static_cast<std::size_t>(Phases::size)> motions{};
+
+private:
+    template <class List>
+    struct StatesOf;
+    template <class... P>
+    struct StatesOf<TypeList<P...>> {
+        using type = std::tuple<State<P>...>;
+    };
+    typename StatesOf<Phases>::type states;
+    typename TupleOf<typename Scene::Couplings>::type couplings;
+    typename TupleOf<Links>::type links;
+
+    template <class F, class... P>
+    void each_phase(const F& f, TypeList<P...>) {
+        (f(std::type_identity<P>{}, state<P>()), ...);
+    }
+    template <class F, class... P>
+    void each_phase(const F& f, TypeList<P...>) const {
+        (f(std::type_identity<P>{}, state<P>()), ...);
+    }
+};
+
+} // namespace imbibe::detail
