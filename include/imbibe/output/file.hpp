@@ -11,12 +11,17 @@
 #include <system_error>
 #include <utility>
 
+#if __has_include(<unistd.h>)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
 namespace imbibe {
 
 /// A file that appears under its name only when it is complete. Everything is written to `<path>.tmp` beside it, and
 /// commit() gives that its name in one step; a reader, or a run that is killed half-way, finds the previous file or
 /// the new one, never half of one. Without commit() (an exception, a full disk) the earlier file stays as it was.
-/// It guards against the end of the program, not of the power supply: nothing forces the disk's cache to be emptied.
+/// commit() guards against the end of the program, commit_to_disk() also against that of the power supply.
 class AtomicFile {
 public:
     /// Opens `<path>.tmp`. Throws Error if that cannot be done.
@@ -50,13 +55,36 @@ public:
     void commit() {
         out_.close();
         check();
+        rename();
+    }
+    /// The same, but waits until the bytes are on the disk, and then the name. @param before called between the two
+    template <class F>
+    void commit_to_disk(const F& before) {
+        out_.close();
+        check();
+        force(temporary_);
+        before();
+        rename();
+        force(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
+    }
+
+private:
+    void rename() {
         std::error_code error;
         std::filesystem::rename(temporary_, path_, error);
         require(!error, "cannot give ", temporary_.string(), " its name ", path_.string(), ": ", error.message());
         committed_ = true;
     }
-
-private:
+    // Empties the system's buffers of a file or folder; where the system cannot, nothing is lost but that guarantee.
+    static void force([[maybe_unused]] const std::filesystem::path& path) {
+#if __has_include(<unistd.h>)
+        const int file = ::open(path.c_str(), O_RDONLY);
+        if (file >= 0) {
+            ::fsync(file);
+            ::close(file);
+        }
+#endif
+    }
     void check() const {
         if (out_.good())
             return;

@@ -98,6 +98,38 @@ public:
     bool any_periodic() const {
         return std::any_of(periodic.length.begin(), periodic.length.end(), [](double length) { return length > 0; });
     }
+    /// The particles of all phases, for checkpoints: their numbers first, so that a file that cannot hold them is
+    /// noticed before anything changes.
+    template <class Archive>
+    void archive_particles(Archive& a) {
+        std::array<std::uint64_t, static_cast<std::size_t>(Phases::size)> counts{};
+        std::uint64_t bytes = 0;
+        std::size_t k = 0;
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            counts[k] = static_cast<std::uint64_t>(s.size());
+            a(counts[k]);
+            if constexpr (Archive::reading) {
+                require(counts[k] < (std::uint64_t{1} << 31), "checkpoint: phase ", type_name<P>(), " has ", counts[k],
+                        " particles; at most 2^31 - 1 are possible");
+                bytes += counts[k] * State<P>::bytes_per_archived_particle;
+            }
+            ++k;
+        });
+        if constexpr (Archive::reading)
+            a.need(bytes, 1);
+        k = 0;
+        for_each_phase(
+            [&]<class P>(std::type_identity<P>, State<P>& s) { s.archive(a, static_cast<int>(counts[k++])); });
+    }
+    /// What the next time step depends on besides the particles.
+    template <class Archive>
+    void archive_motion(Archive& a) {
+        a(motions);
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            a(s.bounds.lower);
+            a(s.bounds.upper);
+        });
+    }
     std::size_t particle_bytes() const {
         std::size_t sum = 0;
         for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) { sum += s.bytes(); });

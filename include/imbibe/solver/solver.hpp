@@ -273,6 +273,23 @@ public:
             (observers(*this), ...);
         }
     }
+    /// For checkpoints (output/checkpoint.hpp): hands everything that makes up the state of the scene to `archive`,
+    /// which writes it or reads it back, in the order of this function.
+    template <class Archive>
+    void archive(Archive& archive) {
+        engine_.archive_particles(archive);
+        archive(time_);
+        archive(steps_);
+        archive(last_step_.seconds);
+        archive(last_step_.reason);
+        archive(last_step_.where);
+        if constexpr (Archive::reading) {
+            engine_.find_reference_neighbours();
+            engine_.find_neighbours();
+            prepared_ = true;
+        }
+        engine_.archive_motion(archive);
+    }
     /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
     /// by itself.
     void prepare() {
@@ -311,8 +328,9 @@ private:
     }
     std::string describe_shortest() const {
         const auto limits = time_step_limits();
-        return limits.empty() ? "none" : text(limits.front().seconds, " s (", limits.front().reason, ", ",
-                                              limits.front().where, ")");
+        return limits.empty()
+                   ? "none"
+                   : text(limits.front().seconds, " s (", limits.front().reason, ", ", limits.front().where, ")");
     }
 
     template <class P>
@@ -321,7 +339,8 @@ private:
     }
     // The new points among themselves and against the particles the phase has already.
     template <class S>
-    static void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing, const std::string& name) {
+    static void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing,
+                                    const std::string& name) {
         std::vector<Point> all = points;
         for (int i = 0; i < s.size(); ++i)
             all.push_back(position_of(s, i));

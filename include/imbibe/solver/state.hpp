@@ -165,6 +165,24 @@ public:
                ids.capacity() * sizeof(std::uint32_t);
     }
 
+    /// Bytes that `archive` writes or reads for one particle.
+    static constexpr std::size_t bytes_per_archived_particle =
+        sizeof(std::uint32_t) + sizeof(Real) * static_cast<std::size_t>(component_total);
+    /// All particles as they lie in memory, for checkpoints. `count`: how many, known before.
+    template <class Archive>
+    void archive(Archive& a, int count) {
+        if constexpr (Archive::reading) {
+            resize(count);
+            ids.resize(static_cast<std::size_t>(count));
+        }
+        a(next_id);
+        a.array(ids.data(), ids.size());
+        for (int k = 0; k < component_total; ++k)
+            a.array(column(k), static_cast<std::size_t>(n));
+        if constexpr (Archive::reading)
+            pad();
+    }
+
 private:
     // Room for the widest pack beyond the end, and an odd number of cache lines, so that the same particle's
     // components do not compete for one place in the cache.

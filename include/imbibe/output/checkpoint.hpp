@@ -1,0 +1,229 @@
+// Checkpoints: the whole state of a running scene in one file, from which a run goes on to the same last bit.
+//
+//   imbibe::write_checkpoint(scene, "out/checkpoint");            // now and then, or by `imbibe::Checkpoints`
+//   imbibe::read_checkpoint(scene, "out/checkpoint");             // in a scene that was built as before
+#pragma once
+
+#include <imbibe/output/file.hpp>
+#include <imbibe/solver/solver.hpp>
+
+#include <bit>
+#include <chrono>
+#include <cstring>
+#include <iterator>
+#include <map>
+
+namespace imbibe {
+
+/// Numbers of the program itself that a checkpoint carries along: how many rows a table has, what was drained.
+using CheckpointNotes = std::map<std::string, double>;
+
+namespace detail {
+
+inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 1\n";
+inline constexpr std::string_view end_of_checkpoint_head = "----\n";
+
+/// A 64-bit checksum (FNV-1a, Fowler, Noll and Vo).
+inline std::uint64_t checksum(std::string_view bytes) {
+    std::uint64_t sum = 0xcbf29ce484222325ULL;
+    for (const char c : bytes)
+        sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return sum;
+}
+
+/// Collects what it is given.
+struct CheckpointWriter {
+    static constexpr bool reading = false;
+    std::string bytes;
+
+    template <class T>
+    requires std::is_trivially_copyable_v<T>
+    void operator()(const T& value) { array(&value, 1); }
+    void operator()(const std::string& words) {
+        (*this)(static_cast<std::uint64_t>(words.size()));
+        bytes += words;
+    }
+    template <class T>
+    void array(const T* values, std::size_t count) {
+        bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+    }
+};
+
+/// Gives back in the same order.
+struct CheckpointReader {
+    static constexpr bool reading = true;
+    std::string_view bytes;
+    std::string where; ///< the file, for messages
+
+    template <class T>
+    requires std::is_trivially_copyable_v<T>
+    void operator()(T& value) { array(&value, 1); }
+    void operator()(std::string& words) {
+        std::uint64_t size = 0;
+        (*this)(size);
+        need(size, 1);
+        words.assign(bytes.substr(0, static_cast<std::size_t>(size)));
+        bytes.remove_prefix(static_cast<std::size_t>(size));
+    }
+    template <class T>
+    void array(T* values, std::size_t count) {
+        need(count, sizeof(T));
+        std::memcpy(values, bytes.data(), count * sizeof(T));
+        bytes.remove_prefix(count * sizeof(T));
+    }
+    void need(std::uint64_t count, std::uint64_t size_of_each) const {
+        require(size_of_each == 0 || count <= bytes.size() / size_of_each, "checkpoint ", where,
+                ": it is shorter than it says; take the one before it");
+    }
+};
+
+/// What must be the same in the scene that wrote a checkpoint and in the one that reads it, as lines of text.
+template <class Scene>
+std::string checkpoint_head(const Scene& scene) {
+    std::ostringstream out;
+    out.precision(17);
+    out << checkpoint_title << "numbers " << 8 * sizeof(typename Scene::Real) << " bits, "
+        << (std::endian::native == std::endian::little ? "little" : "big") << " end first\ndimension "
+        << Scene::dimension << '\n';
+    scene.engine().for_each_phase([&]<class P, class S>(std::type_identity<P>, const S& s) {
+        out << "phase " << type_name<P>() << ": density " << s.material.density << " kg/m^3, spacing "
+            << s.material.spacing << " m, support radius " << s.material.support_radius << " m, fields";
+        const auto name = [&]<class... F>(TypeList<F...>) {
+            ((out << ' ' << F::name << '(' << components(F::rank, Scene::dimension) << ')'), ...);
+        };
+        name(typename Scene::template FieldsOf<P>{});
+        out << '\n';
+    });
+    out << end_of_checkpoint_head;
+    return out.str();
+}
+
+/// The first line in which two texts differ, of each.
+inline std::pair<std::string, std::string> first_difference(const std::string& a, const std::string& b) {
+    std::istringstream lines_a(a), lines_b(b);
+    std::string line_a, line_b;
+    for (;;) {
+        const bool more_a = static_cast<bool>(std::getline(lines_a, line_a));
+        const bool more_b = static_cast<bool>(std::getline(lines_b, line_b));
+        if (!more_a && !more_b)
+            return {};
+        if (!more_a || !more_b || line_a != line_b)
+            return {more_a ? line_a : "nothing", more_b ? line_b : "nothing"};
+    }
+}
+
+} // namespace detail
+
+/// Writes the state of a scene to `path`: every field of every particle, their order and numbers, time, step count and
+/// what the next time step depends on. A checkpoint that was there before is kept as `<path>.previous`.
+///
+/// The file is written beside its place, forced to the disk and then given its name in one step: whenever the program
+/// ends, there is a whole checkpoint. It begins with a readable description of the scene and ends with a checksum.
+/// @param notes numbers of the program that go along
+/// @throws Error when the disk refuses it; the earlier checkpoints stay
+template <class Scene>
+void write_checkpoint(Scene& scene, const std::filesystem::path& path, const CheckpointNotes& notes = {}) {
+    scene.prepare();
+    detail::CheckpointWriter state;
+    state.bytes = detail::checkpoint_head(scene);
+    state(static_cast<std::uint64_t>(notes.size()));
+    for (const auto& [name, value] : notes) {
+        state(name);
+        state(value);
+    }
+    scene.archive(state);
+    state(detail::checksum(state.bytes));
+
+    AtomicFile file(path);
+    file.write(state.bytes.data(), state.bytes.size());
+    file.commit_to_disk([&] {
+        std::error_code none_before;
+        std::filesystem::rename(path, path.string() + ".previous", none_before);
+    });
+}
+
+/// Brings a scene to the state in a checkpoint. The scene must be made as it was for the run that wrote it: the same
+/// composition, number type and materials, with its phases added; how many particles they have does not matter, and
+/// coefficients and settings are those of this scene. The run then goes on to the same bits as if it had not stopped.
+/// @return the numbers the program gave along
+/// @throws Error, with the scene as it was, for a file that is missing, cut off, damaged, or of another scene; it names
+/// the difference
+template <class Scene>
+CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    require(in.is_open(), "checkpoint ", path.string(), ": there is no such file, or it may not be read");
+    const std::string all{std::istreambuf_iterator<char>(in), {}};
+    require(all.starts_with(detail::checkpoint_title), "checkpoint ", path.string(),
+            ": it does not begin as a checkpoint of this version does (", detail::checkpoint_title.substr(0, 19), ")");
+    std::uint64_t stored = 0;
+    require(all.size() >= detail::checkpoint_title.size() + sizeof stored, "checkpoint ", path.string(),
+            ": it is cut off; take the one before it, ", path.string(), ".previous");
+    const std::string_view content(all.data(), all.size() - sizeof stored);
+    std::memcpy(&stored, content.data() + content.size(), sizeof stored);
+    require(stored == detail::checksum(content), "checkpoint ", path.string(),
+            ": its checksum is wrong, so it is cut off or damaged; take the one before it, ", path.string(),
+            ".previous");
+
+    const std::string head = detail::checkpoint_head(scene);
+    const auto end = content.find(detail::end_of_checkpoint_head);
+    const std::string found(
+        content.substr(0, end == std::string_view::npos ? 0 : end + detail::end_of_checkpoint_head.size()));
+    const auto [theirs, ours] = detail::first_difference(found, head);
+    require(found == head, "checkpoint ", path.string(), ": it is of another scene. It says '", theirs,
+            "' where this scene has '", ours, "'");
+
+    detail::CheckpointReader state{content.substr(found.size()), path.string()};
+    CheckpointNotes notes;
+    std::uint64_t count = 0;
+    state(count);
+    for (std::uint64_t k = 0; k < count; ++k) {
+        std::string name;
+        double value = 0;
+        state(name);
+        state(value);
+        notes[name] = value;
+    }
+    scene.archive(state);
+    return notes;
+}
+
+/// An observer for `run_until` that writes a checkpoint every so many seconds of wall time.
+class Checkpoints {
+public:
+    /// @param seconds of wall time between two checkpoints
+    /// @throws Error now if the folder cannot be written
+    Checkpoints(std::filesystem::path path, double seconds) : path_(std::move(path)), seconds_(seconds) {
+        require(std::isfinite(seconds) && seconds >= 0, "seconds between checkpoints = ", seconds,
+                "; it must be a finite number not below 0");
+        require_writable(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
+    }
+    template <class Scene>
+    void operator()(Scene& scene) {
+        write_if_due(scene, CheckpointNotes{});
+    }
+    /// The same with the program's own numbers, which `notes()` returns. True if a checkpoint was written.
+    template <class Scene, class Notes>
+    bool operator()(Scene& scene, const Notes& notes) {
+        return write_if_due(scene, notes);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::filesystem::path path_;
+    double seconds_;
+    Clock::time_point written_ = Clock::now();
+
+    template <class Scene, class Notes>
+    bool write_if_due(Scene& scene, const Notes& notes) {
+        if (std::chrono::duration<double>(Clock::now() - written_).count() < seconds_)
+            return false;
+        if constexpr (requires { notes(); })
+            write_checkpoint(scene, path_, notes());
+        else
+            write_checkpoint(scene, path_, notes);
+        written_ = Clock::now();
+        return true;
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,180 @@
+// Checkpoints: a run that is stopped and goes on is the run that was not stopped, bit by bit; and no file that is cut
+// off, damaged or of another scene is taken for a good one.
+#include "folder.hpp"
+#include "full_disk.hpp"
+
+#include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/monaghan_viscosity.hpp>
+#include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/geometry/box.hpp>
+#include <imbibe/geometry/fill.hpp>
+#include <imbibe/kernels/wendland.hpp>
+#include <imbibe/output/checkpoint.hpp>
+#include <imbibe/solid/clamped.hpp>
+#include <imbibe/solid/total_lagrangian.hpp>
+#include <imbibe/state/linear_state.hpp>
+#include <imbibe/time/symplectic_euler.hpp>
+#include <imbibe/wall/pressure_extrapolation.hpp>
+
+#include <catch_shim.hpp>
+
+namespace {
+
+namespace sph = imbibe;
+using K = sph::WendlandC2;
+
+// Water on an elastic block, with a periodic side: moving and reference neighbours, images, a coupling.
+struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
+                          sph::MonaghanViscosity<K>> {};
+struct Block : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
+                          sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped> {};
+struct Contact : sph::Coupling<Water, Block, sph::Into<Block, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+template <class Real>
+using Scene = sph::Solver<2, Real, sph::SymplecticEuler, Water, Block, Contact>;
+
+template <class Real>
+Scene<Real> make(double density = 1000) {
+    const double dx = 0.05;
+    Scene<Real> scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .periodic_length = {1, 0}, .threads = 2});
+    scene.add(Water{{.density = density, .sound_speed = 20}}, sph::fill(sph::Box<2>({0, 0.22}, {1, 0.72}), dx), dx);
+    Block block;
+    block.density = 1200;
+    block.sound_speed = sph::sound_speed_of(1e5, 0.3, 1200);
+    block.shear_modulus = sph::shear_modulus_of(1e5, 0.3);
+    const auto solid = scene.add(block, sph::fill(sph::Box<2>({0, 0}, {1, 0.2}), dx), dx);
+    scene.hold(solid, [](const auto& x) { return x[1] < 0.05; });
+    return scene;
+}
+
+/// Every number of every particle, in the order of storage, as bytes.
+template <class S>
+std::string bits(const S& scene) {
+    std::string all;
+    scene.engine().for_each_phase([&](auto, const auto& s) {
+        all.append(reinterpret_cast<const char*>(s.ids.data()), s.ids.size() * sizeof(s.ids[0]));
+        for (int k = 0; k < s.component_total; ++k)
+            all.append(reinterpret_cast<const char*>(s.column(k)),
+                       static_cast<std::size_t>(s.size()) * sizeof(*s.column(k)));
+    });
+    return all;
+}
+
+template <class S>
+void run(S& scene, int steps) {
+    for (int k = 0; k < steps; ++k) {
+        scene.step();
+        if (k % 40 == 39) // particles that leave must be missing afterwards, too
+            scene.remove_if(sph::PhaseHandle<Water>{}, [](const auto& x) { return x[1] > 0.66 && x[0] > 0.5; });
+    }
+}
+
+void write_file(const std::filesystem::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("A restarted run is the uninterrupted one, bit by bit", "[checkpoint]", float, double) {
+    const auto path = output_test::fresh("checkpoint") / "run";
+    auto whole = make<TestType>();
+    run(whole, 80);
+    sph::write_checkpoint(whole, path, {{"rows", 17}, {"drained", 0.125}});
+    const auto at_checkpoint = bits(whole);
+    run(whole, 80);
+
+    auto second = make<TestType>();
+    const auto notes = sph::read_checkpoint(second, path);
+    CHECK(notes == sph::CheckpointNotes{{"drained", 0.125}, {"rows", 17}});
+    CHECK(second.steps() == 80);
+    CHECK(bits(second) == at_checkpoint);
+    run(second, 80);
+    CHECK(second.time() == whole.time());
+    CHECK(second.steps() == whole.steps());
+    CHECK((bits(second) == bits(whole)));
+    CHECK(second.last_step().seconds == whole.last_step().seconds);
+    REQUIRE(whole.particles() < make<TestType>().particles()); // some had left
+}
+
+TEST_CASE("A checkpoint of a scene before its first step", "[checkpoint]") {
+    const auto path = output_test::fresh("checkpoint_start") / "run";
+    auto scene = make<double>(), other = make<double>();
+    sph::write_checkpoint(scene, path);
+    sph::read_checkpoint(other, path);
+    run(scene, 20);
+    run(other, 20);
+    CHECK((bits(scene) == bits(other)));
+}
+
+TEST_CASE("The checkpoint before is kept, and a full disk leaves both", "[checkpoint]") {
+    const auto path = output_test::fresh("checkpoint_previous") / "run";
+    auto scene = make<float>();
+    run(scene, 10);
+    sph::write_checkpoint(scene, path);
+    const auto first = output_test::content(path);
+    run(scene, 10);
+    sph::write_checkpoint(scene, path);
+    const auto second = output_test::content(path);
+    CHECK((first != second));
+    CHECK((output_test::content(path.string() + ".previous") == first));
+    run(scene, 10);
+    {
+        const output_test::FullDisk full(20000);
+        REQUIRE_THROWS_WITH(sph::write_checkpoint(scene, path), imbibe_test::contains("the disk refused it"));
+    }
+    CHECK((output_test::content(path) == second));
+    CHECK((output_test::content(path.string() + ".previous") == first));
+}
+
+TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays", "[checkpoint]") {
+    const auto folder = output_test::fresh("checkpoint_bad");
+    const auto path = folder / "run", bad = folder / "bad";
+    auto scene = make<float>();
+    run(scene, 15);
+    sph::write_checkpoint(scene, path);
+    const auto good = output_test::content(path);
+    const auto before = bits(scene);
+
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, folder / "nothing"), imbibe_test::contains("no such file"));
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{10}, std::size_t{25}, good.size() / 2, good.size() - 1}) {
+        write_file(bad, good.substr(0, size));
+        CAPTURE(size);
+        REQUIRE_THROWS_AS(sph::read_checkpoint(scene, bad), sph::Error);
+    }
+    for (const std::size_t at : {std::size_t{30}, std::size_t{200}, good.size() / 3, good.size() - 3}) {
+        auto damaged = good;
+        damaged[at] = static_cast<char>(damaged[at] ^ 4);
+        write_file(bad, damaged);
+        CAPTURE(at);
+        REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, bad), imbibe_test::contains("checksum"));
+    }
+    write_file(bad, "something else altogether, and long enough");
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, bad), imbibe_test::contains("does not begin"));
+    // A file that says it is longer than it is, with a checksum that fits.
+    auto short_one = good.substr(0, good.size() - 8 - 1000);
+    const auto sum = sph::detail::checksum(short_one);
+    short_one.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+    write_file(bad, short_one);
+    REQUIRE_THROWS_AS(sph::read_checkpoint(scene, bad), sph::Error);
+    CHECK((bits(scene) == before));
+
+    auto in_double = make<double>();
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(in_double, path),
+                        imbibe_test::contains("32 bits") && imbibe_test::contains("64 bits"));
+    auto heavier = make<float>(1100);
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(heavier, path), imbibe_test::contains("density 1100"));
+}
+
+TEST_CASE("Checkpoints by wall time", "[checkpoint]") {
+    const auto path = output_test::fresh("checkpoint_timed") / "run";
+    auto scene = make<float>();
+    sph::Checkpoints never(path, 1e6), always(path, 0);
+    scene.run_until(0.002, never);
+    CHECK_FALSE(std::filesystem::exists(path));
+    CHECK(always(scene, [&] { return sph::CheckpointNotes{{"steps", double(scene.steps())}}; }));
+    auto other = make<float>();
+    CHECK(sph::read_checkpoint(other, path).at("steps") == double(scene.steps()));
+    REQUIRE_THROWS_WITH(sph::Checkpoints(path, -1), imbibe_test::contains("-1"));
+}
