@@ -7,6 +7,7 @@
 //   build/sponge --composition paper               the same with the method of the paper, mended
 //   build/sponge --pore-radius 2 --end 0.25        wider pores, shorter (lengths in mm)
 //   build/sponge --quick                           one row of pores, a true picture in about a minute
+//   build/sponge --restart                         after Ctrl-C, a crash or a power cut: go on from the last checkpoint
 #include "support/sponge_options.hpp"
 
 namespace sph = imbibe;
@@ -24,6 +25,11 @@ int main(int argc, char** argv) {
     app.add_option("--end", end, "end time, s")->capture_default_str();
     app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")->capture_default_str();
     app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
+    app.add_option("--checkpoints", output.checkpoint_interval, "wall time between checkpoints, s")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app.add_flag("--restart", output.restart,
+                 "go on from the checkpoint in the output folder; other options as before");
     app.add_flag("--quick", quick, "one row of wide pores under 14 mm of water, to 0.12 s");
     CLI11_PARSE(app, argc, argv);
 

@@ -5,8 +5,8 @@
 //   build/sponge_study pores --composition paper      the same with the method of the paper, mended
 //   build/sponge_study pores --strip --pool 14 --end 0.25   one row of pores: minutes instead of hours
 //
-// Each run keeps its tables in a folder of its own. A run that is finished is not repeated, so a study that was
-// interrupted goes on where it was, and the two studies share the case they have in common.
+// Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted
+// goes on from its last checkpoint, and the two studies share the case they have in common.
 #include "support/pictures.hpp"
 #include "support/sponge_options.hpp"
 
@@ -40,21 +40,22 @@ std::vector<Case> cases_of(const std::string& study, const std::string& composit
             add(r, 1e-3, sph::text("r = ", r * 1e3, " mm"));
     else
         for (const double h : {1e-3, 1.1e-3, 1.2e-3, 1.3e-3})
-            add(1.5e-3, h, composition == "paper" ? sph::text("h = ", h * 1e3, " mm")
-                                                  : sph::text("H = ", ratio_of(h), " spacings"));
+            add(1.5e-3, h,
+                composition == "paper" ? sph::text("h = ", h * 1e3, " mm")
+                                       : sph::text("H = ", ratio_of(h), " spacings"));
     return cases;
 }
 
-/// What makes one run another than the next; written beside its tables when it is through.
+/// What makes one run another than the next; written beside its tables when it begins, and again when it is through.
 std::string signature(const Case& c, const std::string& precision, double end) {
     const auto& n = c.numbers;
-    return sph::text(c.name, " ", precision, " end ", end, " spacings ", n.water_spacing, " ", n.solid_spacing, " pool ",
-                     n.pool, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus, " K_f ", n.stiffness,
-                     " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
+    return sph::text(c.name, " ", precision, " end ", end, " spacings ", n.water_spacing, " ", n.solid_spacing,
+                     " pool ", n.pool, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus, " K_f ",
+                     n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
 }
 
-bool is_finished(const std::filesystem::path& folder, const std::string& what) {
-    std::ifstream file(folder / "finished.txt");
+bool says(const std::filesystem::path& path, const std::string& what) {
+    std::ifstream file(path);
     std::string line;
     return std::getline(file, line) && line == what;
 }
@@ -89,17 +90,23 @@ int main(int argc, char** argv) {
             const std::string what = signature(c, precision, end);
             tables.push_back((output.folder / "sponge.csv").string());
             labels.push_back(c.label);
-            if (is_finished(output.folder, what)) {
+            if (says(output.folder / "finished.txt", what)) {
                 std::printf("%s: finished before\n", c.name.c_str());
                 continue;
             }
-            std::printf("\n==== %s ====\n", c.name.c_str());
+            output.restart =
+                says(output.folder / "running.txt", what) && std::filesystem::exists(output.folder / "checkpoint");
+            std::printf("\n==== %s%s ====\n", c.name.c_str(), output.restart ? ", continued" : "");
+            std::filesystem::create_directories(output.folder);
+            std::ofstream(output.folder / "running.txt") << what << '\n';
             const auto result = sph::example::run_sponge(composition, precision, c.numbers, end, output);
             sph::example::print_summary(c.numbers, result, output);
             if (result.failure.empty())
                 std::ofstream(output.folder / "finished.txt") << what << '\n';
             else
                 ++failures;
+            if (result.stopped)
+                return 1;
         }
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "sponge_study: %s\n", error.what());
@@ -109,7 +116,8 @@ int main(int argc, char** argv) {
     const std::string stem = (root / (composition + "-" + study)).string();
     const auto plot = [&](const std::string& column, const std::string& title, const std::string& end_of_name) {
         std::vector<std::string> words = tables;
-        words.insert(words.end(), {"--y", column, "--title", title + ", " + composition, "-o", stem + end_of_name, "--labels"});
+        words.insert(words.end(),
+                     {"--y", column, "--title", title + ", " + composition, "-o", stem + end_of_name, "--labels"});
         words.insert(words.end(), labels.begin(), labels.end());
         sph::example::draw("plot_curves.py", words);
     };

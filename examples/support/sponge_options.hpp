@@ -11,7 +11,8 @@ namespace imbibe::example {
 
 /// An option in millimetres for a length in metres.
 inline void add_millimetres(CLI::App& app, const char* name, double& value, const char* text) {
-    app.add_option_function<double>(name, [&value](double mm) { value = mm * 1e-3; }, text)
+    app.add_option_function<double>(
+           name, [&value](double mm) { value = mm * 1e-3; }, text)
         ->default_str(imbibe::text(value * 1e3));
 }
 
@@ -47,7 +48,9 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
     app.add_flag("--strip", numbers.strip, "one row of pores, periodic across");
     add_millimetres(app, "--pool", numbers.pool,
                     "fill the tank with water to this height instead of the paper's block, mm");
-    app.add_option("--threads", numbers.threads, "threads; 0: all")->check(CLI::NonNegativeNumber)->capture_default_str();
+    app.add_option("--threads", numbers.threads, "threads; 0: all")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
 }
 
 } // namespace imbibe::example

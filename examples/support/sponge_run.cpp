@@ -30,13 +30,14 @@ void print_summary(const presets::SpongeCase& numbers, const SpongeResult& r, co
     if (!r.failure.empty())
         std::printf("  BROKE OFF at t = %g s: %s\n", r.end, r.failure.c_str());
     std::printf("  %lld steps to t = %g s in %s\n", r.steps, r.end, clock_text(r.wall_seconds).c_str());
-    std::printf("  The sponge gave way by %.3f mm on average at t = %.3f s, its greatest;\n", r.peak * 1e3, r.peak_time);
+    std::printf("  The sponge gave way by %.3f mm on average at t = %.3f s, its greatest;\n", r.peak * 1e3,
+                r.peak_time);
     std::printf("  over the last 40 %% of the run it hung %.3f mm from where it was.\n", r.late_mean * 1e3);
     std::printf("  %.1f %% of the water went through%s.\n", 100 * r.drained,
                 r.drained < 0.01 ? ": the pores are closed to it" : "");
     std::printf("  Water particles are %s.\n", r.conserved ? "all accounted for" : "MISSING");
-    std::printf("  Curves: %s/sponge.csv, for ParaView: %s/water.pvd, sponge.pvd, vessel.pvd\n",
-                output.folder.c_str(), output.folder.c_str());
+    std::printf("  Curves: %s/sponge.csv, for ParaView: %s/water.pvd, sponge.pvd, vessel.pvd\n", output.folder.c_str(),
+                output.folder.c_str());
 }
 
 } // namespace imbibe::example

@@ -13,6 +13,8 @@ struct SpongeOutput {
     std::filesystem::path folder = "out-sponge";
     double table_interval = 1e-3;     ///< s
     double snapshot_interval = 10e-3; ///< s; 0: no snapshots
+    double checkpoint_interval = 60;  ///< of wall time, s
+    bool restart = false;             ///< go on from the checkpoint in the folder instead of from the start
     bool pictures = true;
     bool quiet = false; ///< no progress line, no report
 };
@@ -27,10 +29,12 @@ struct SpongeResult {
     double wall_seconds = 0;
     long long steps = 0;
     bool conserved = false; ///< water in the scene plus water drained is what there was
+    bool stopped = false;   ///< the user wanted the run to end
 };
 
 /// Runs one case to `end`, s. Throws Error for bad input before anything is computed; a run that breaks off in the
-/// middle is reported in the result, with what it had written until then left in place.
+/// middle, or that the user stops by Ctrl-C, is reported in the result, with what it had written until then left in
+/// place. It can be continued from `<folder>/checkpoint`, to the same bits as if it had not stopped.
 ///
 /// Defined in sponge_run_definition.hpp; compiled for each composition and number type in a file of its own, because
 /// each takes a compiler some 20 seconds.

@@ -5,8 +5,10 @@
 #include "sponge_run.hpp"
 
 #include <imbibe/imbibe.hpp>
+#include <imbibe/output/checkpoint.hpp>
 #include <imbibe/presets/sponge.hpp>
 
+#include <csignal>
 #include <unistd.h>
 
 namespace imbibe::example {
@@ -20,6 +22,28 @@ double stored_energy([[maybe_unused]] const View& sponge) {
         return std::nan("");
 }
 
+/// Set by Ctrl-C and by a polite kill while a run is going on.
+inline volatile std::sig_atomic_t stop_asked = 0;
+
+/// While it lives, Ctrl-C does not end the program but asks the run to.
+class StopOnSignal {
+public:
+    StopOnSignal() : interrupt(std::signal(SIGINT, ask)), terminate(std::signal(SIGTERM, ask)) { stop_asked = 0; }
+    ~StopOnSignal() {
+        std::signal(SIGINT, interrupt);
+        std::signal(SIGTERM, terminate);
+    }
+    StopOnSignal(const StopOnSignal&) = delete;
+    StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+private:
+    static void ask(int) { stop_asked = 1; }
+    void (*interrupt)(int);
+    void (*terminate)(int);
+};
+/// Thrown by the run's observer when the user wants it to end.
+struct StoppedByUser {};
+
 template <class C, class Real>
 SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const SpongeOutput& output) {
     using Water = typename C::Water;
@@ -32,35 +56,56 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     const auto sponge = scene.template get<Sponge>();
     const int water_at_start = water.size();
     const DisplacementProbe<3> probe(sponge);
+    const auto checkpoint = output.folder / "checkpoint";
+    CheckpointNotes notes;
+    if (output.restart)
+        notes = read_checkpoint(scene, checkpoint);
     const std::string report = describe(scene);
     if (!output.quiet) {
         std::printf("%s", report.c_str());
-        std::printf("Expected wall time: about %s for %g s\n\n",
-                    clock_text(estimate_wall_seconds(scene, end)).c_str(), end);
+        std::printf("Expected wall time: about %s for %g s\n\n", clock_text(estimate_wall_seconds(scene, end)).c_str(),
+                    end);
         std::fflush(stdout);
     }
 
-    Table table(output.folder / "sponge.csv", {{"time", "s"},
-                                               {"mean displacement", "m"},
-                                               {"mean vertical displacement", "m"},
-                                               {"greatest displacement", "m"},
-                                               {"drained mass", "kg"},
-                                               {"drained fraction", "1"},
-                                               {"kinetic energy of the water", "J"},
-                                               {"potential energy of the water", "J"},
-                                               {"compression energy of the water", "J"},
-                                               {"kinetic energy of the sponge", "J"},
-                                               {"elastic energy of the sponge", "J"},
-                                               {"vertical momentum", "kg m/s"},
-                                               {"least density of the water", "kg/m^3"},
-                                               {"greatest density of the water", "kg/m^3"},
-                                               {"time step", "s"}});
+    const std::vector<Column> columns{{"time", "s"},
+                                      {"mean displacement", "m"},
+                                      {"mean vertical displacement", "m"},
+                                      {"greatest displacement", "m"},
+                                      {"drained mass", "kg"},
+                                      {"drained fraction", "1"},
+                                      {"kinetic energy of the water", "J"},
+                                      {"potential energy of the water", "J"},
+                                      {"compression energy of the water", "J"},
+                                      {"kinetic energy of the sponge", "J"},
+                                      {"elastic energy of the sponge", "J"},
+                                      {"vertical momentum", "kg m/s"},
+                                      {"least density of the water", "kg/m^3"},
+                                      {"greatest density of the water", "kg/m^3"},
+                                      {"time step", "s"}};
+    const auto path = output.folder / "sponge.csv";
+    Table table =
+        output.restart ? Table::resume(path, columns, static_cast<std::size_t>(notes["rows"])) : Table(path, columns);
     Snapshots snapshots(output.folder);
+    snapshots.resume(scene, static_cast<std::size_t>(notes["snapshots"]));
     Progress progress(end, isatty(1) != 0);
     SpongeResult result;
     result.composition = C::name;
-    int left = 0;
-    double late_sum = 0, late_count = 0;
+    result.peak = notes["peak"];
+    result.peak_time = notes["peak time"];
+    int left = static_cast<int>(notes["left"]);
+    double late_sum = notes["late sum"], late_count = notes["late count"];
+    auto row_count = static_cast<std::size_t>(notes["rows"]);
+    const auto keep_notes = [&] {
+        notes = {{"peak", result.peak},
+                 {"peak time", result.peak_time},
+                 {"left", left},
+                 {"late sum", late_sum},
+                 {"late count", late_count},
+                 {"rows", static_cast<double>(row_count)},
+                 {"snapshots", static_cast<double>(snapshots.size())}};
+        return notes;
+    };
 
     const auto below = [&] {
         int n = left;
@@ -79,6 +124,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
             late_sum += mean;
             late_count += 1;
         }
+        ++row_count;
         result.drained = below();
         const double particle = 1000 * numbers.water_spacing * numbers.water_spacing * numbers.water_spacing;
         table.row({s.time(), mean, probe.mean_vector(sponge)[2], probe.greatest(sponge),
@@ -89,8 +135,14 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                    water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds});
     };
     auto rows = every(output.table_interval, measure);
-    auto pictures = every(output.snapshot_interval > 0 ? output.snapshot_interval : end,
-                          [&](const auto& s) { snapshots(s); });
+    auto pictures =
+        every(output.snapshot_interval > 0 ? output.snapshot_interval : end, [&](const auto& s) { snapshots(s); });
+    if (output.restart) {
+        rows.resume(scene.time());
+        pictures.resume(scene.time());
+    }
+    Checkpoints checkpoints(checkpoint, output.checkpoint_interval);
+    const StopOnSignal stopping;
     try {
         scene.run_until(end, [&](auto& s) {
             if (s.steps() % 20 == 0)
@@ -100,7 +152,14 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                 pictures(s);
             if (!output.quiet)
                 progress(s);
+            if (stop_asked)
+                throw StoppedByUser{};
+            checkpoints(s, keep_notes);
         });
+    } catch (const StoppedByUser&) {
+        write_checkpoint(scene, checkpoint, keep_notes());
+        result.failure = "stopped by the user; --restart goes on from here";
+        result.stopped = true;
     } catch (const Error& error) {
         result.failure = error.what();
     }
@@ -113,12 +172,12 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     if (output.pictures && output.snapshot_interval > 0) {
         const std::string folder = output.folder.string();
         draw("render_sponge.py", {folder, "--count", "4", "-o", folder + "/snapshots.png"});
-        draw("plot_curves.py", {folder + "/sponge.csv", "--y", "mean displacement", "--title",
-                                std::string("Mean displacement of the sponge, ") + C::name, "-o",
-                                folder + "/displacement.png"});
-        draw("plot_curves.py", {folder + "/sponge.csv", "--y", "drained fraction", "--title",
-                                std::string("Water that has passed the sponge, ") + C::name, "-o",
-                                folder + "/drained.png"});
+        draw("plot_curves.py",
+             {folder + "/sponge.csv", "--y", "mean displacement", "--title",
+              std::string("Mean displacement of the sponge, ") + C::name, "-o", folder + "/displacement.png"});
+        draw("plot_curves.py",
+             {folder + "/sponge.csv", "--y", "drained fraction", "--title",
+              std::string("Water that has passed the sponge, ") + C::name, "-o", folder + "/drained.png"});
     }
     return result;
 }

@@ -3,4 +3,4 @@
 
 template imbibe::example::SpongeResult
 imbibe::example::run_sponge<imbibe::presets::SoundSponge, double>(const imbibe::presets::SpongeCase&, double,
-                                                     const imbibe::example::SpongeOutput&);
+                                                                  const imbibe::example::SpongeOutput&);

@@ -43,8 +43,7 @@ public:
         std::printf("%s%5.1f %%  t %.4f s  step %lld  dt %.2e s (%s, %s)  %.2f M particle-steps/s  left %s%s",
                     live_ ? "\r" : "", 100 * share, scene.time(), scene.steps(), scene.last_step().seconds,
                     scene.last_step().reason.c_str(), scene.last_step().where.c_str(), work_ / wall * 1e-6,
-                    share > 0 ? clock_text(wall * (1 - share) / share).c_str() : "?",
-                    live_ && !done ? "   " : "\n");
+                    share > 0 ? clock_text(wall * (1 - share) / share).c_str() : "?", live_ && !done ? "   " : "\n");
         std::fflush(stdout);
     }
     /// Wall time since the observer was made, s.
@@ -60,19 +59,24 @@ private:
     Clock::time_point started_, shown_;
 };
 
-/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s, and at the end.
+/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s.
 template <class F>
 class Every {
 public:
     Every(double interval, F what) : interval_(interval), what_(std::move(what)) {
-        require(std::isfinite(interval) && interval > 0, "an output interval of ", interval, " s; it must be above 0 s");
+        require(std::isfinite(interval) && interval > 0, "an output interval of ", interval,
+                " s; it must be above 0 s");
     }
     template <class Scene>
     void operator()(const Scene& scene) {
         if (scene.time() < next_ * interval_ * (1 - 1e-9))
             return;
         what_(scene);
-        while (next_ * interval_ <= scene.time() * (1 + 1e-9))
+        resume(scene.time());
+    }
+    /// Takes everything up to `time`, s, for done, as after a restart.
+    void resume(double time) {
+        while (next_ * interval_ <= time * (1 + 1e-9))
             ++next_;
     }
 

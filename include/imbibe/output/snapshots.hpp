@@ -8,7 +8,8 @@
 
 namespace imbibe {
 
-/// Writes `<folder>/<phase>_000000.vtp`, ... and `<folder>/<phase>.pvd` for every phase; the phase's name in lower case.
+/// Writes `<folder>/<phase>_000000.vtp`, ... and `<folder>/<phase>.pvd` for every phase; the phase's name in lower
+/// case.
 class Snapshots {
 public:
     /// Throws Error now, not at the first snapshot, if the folder cannot be written.
@@ -22,22 +23,46 @@ public:
         });
     }
 
+    /// How many snapshots there are of the phase that has the most.
+    std::size_t size() const {
+        std::size_t most = 0;
+        for (const auto& [name, series] : series_)
+            most = std::max(most, series.size());
+        return most;
+    }
+    /// Goes on behind the first `snapshots` of an earlier run in the same folder, as after a restart. Throws Error if
+    /// they are not there.
+    template <class Scene>
+    void resume(const Scene& scene, std::size_t snapshots) {
+        if (snapshots > 0)
+            scene.engine().for_each_phase(
+                [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<P>()).resume(snapshots); });
+    }
+
 private:
     std::filesystem::path folder_;
     std::map<std::string, VtkSeries> series_;
 
-    template <class Composition, class P, int dim, class State, class... F>
-    void write(const State& s, double seconds, TypeList<F...>) {
+    template <class P>
+    static std::string file_name() {
         std::string name = detail::type_name<P>();
         for (char& c : name)
             c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return name;
+    }
+    VtkSeries& series(const std::string& name) {
+        return series_.try_emplace(name, folder_, name, VtkPrecision::single).first->second;
+    }
+
+    template <class Composition, class P, int dim, class State, class... F>
+    void write(const State& s, double seconds, TypeList<F...>) {
         VtkFile file(static_cast<std::size_t>(s.size()),
                      VtkArray::of("position", "m", Rank::vector, dim, s.field(position), s.stride()));
         (add<Composition, P, dim, F>(file, s), ...);
         static_assert(sizeof(std::uint32_t) == sizeof(std::int32_t));
         file.add(VtkArray::scalar("id", "1", reinterpret_cast<const std::int32_t*>(s.ids.data())));
         file.constant("spacing", s.material.spacing);
-        series_.try_emplace(name, folder_, name, VtkPrecision::single).first->second.write(seconds, file);
+        series(file_name<P>()).write(seconds, file);
     }
     template <class Composition, class P, int dim, class F, class State>
     static void add(VtkFile& file, const State& s) {
