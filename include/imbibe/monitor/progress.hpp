@@ -39,7 +39,7 @@ public:
         if (!done && seconds(shown_, now) < (live_ ? 0.5 : 20))
             return;
         shown_ = now;
-        const double wall = seconds(started_, now), share = (scene.time() - begin_) / (end_ - begin_);
+        const double wall = seconds(started_, now), share = end_ > begin_ ? (scene.time() - begin_) / (end_ - begin_) : 1;
         std::printf("%s%5.1f %%  t %.4f s  step %lld  dt %.2e s (%s, %s)  %.2f M particle-steps/s  left %s%s",
                     live_ ? "\r" : "", 100 * share, scene.time(), scene.steps(), scene.last_step().seconds,
                     scene.last_step().reason.c_str(), scene.last_step().where.c_str(), work_ / wall * 1e-6,
