@@ -55,8 +55,7 @@ void evaluate(benchmark::State& state) {
 
 template <class Kernel, class What, int dim, class Real>
 void register_widths(const std::string& what) {
-    const std::string name =
-        std::string(Kernel::name) + (dim == 2 ? " 2D/" : "/") + what + "/" + bench::real_name<Real>;
+    const std::string name = Kernel::name + ("/" + what) + "/" + bench::real_name<Real>;
     benchmark::RegisterBenchmark((name + "/1").c_str(), evaluate<Kernel, What, dim, Real, 1>);
     if constexpr (native_width < Real >> 1)
         benchmark::RegisterBenchmark((name + "/" + std::to_string(native_width<Real>)).c_str(),

@@ -1,6 +1,6 @@
 // Measures whole steps of the sponge: the sound composition as a strip and in full, the paper's composition as a strip.
-// The water stands one spacing above the sponge, so that the two meet from the first step on. Names: scene/real/1 for
-// the strip, 5 for the full scene (rows of pores)/threads. For the counters see support/steps.hpp. Run it:
+// The water stands 1 mm above the sponge, so that the two see each other from the first step on. Names: scene/real/1
+// for the strip, 5 for the full scene (rows of pores)/threads. For the counters see support/steps.hpp. Run it:
 //
 //   build-benchmark/benchmarks/bench_sponge
 #include "support/steps.hpp"
@@ -15,7 +15,7 @@ template <class Preset, class Real>
 auto make(int rows, int threads) {
     presets::SpongeCase c;
     c.strip = rows == 1;
-    c.gap = c.water_spacing;
+    c.gap = c.support_radius; // nearer, and the repulsion K_f of the paper's would throw the water off
     c.threads = threads;
     return Preset::template make<Real>(c);
 }

@@ -8,6 +8,7 @@
 //   valgrind --tool=callgrind --toggle-collect=measured build-benchmark/benchmarks/count_instructions fluid_step_float
 #include "support/block.hpp"
 #include "support/fluid.hpp"
+#include "support/hand_fluid.hpp"
 
 #include <imbibe/kernels/kernels.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
@@ -90,6 +91,16 @@ double loops(const Phase& phase) {
     return engine.template state<Phase>().size();
 }
 
+/// The same for the fluid in one sweep, written by hand.
+template <class Real>
+double loops_by_hand() {
+    using Phase = bench::WaterInOneSweep;
+    auto engine = bench::block<Real>(bench::water<Phase>(), particles, support);
+    bench::HandFluid<Real> hand(std::type_identity<Phase>{}, engine);
+    count([&] { hand.one_sweep(); });
+    return engine.template state<Phase>().size();
+}
+
 /// A whole step.
 template <class Real, class Phase>
 double step(const Phase& phase) {
@@ -106,6 +117,7 @@ void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
     cases["search_" + real] = search<Real>;
     cases["fluid_loops_" + real] = [] { return loops<Real>(bench::water<Water>()); };
     cases["fluid_loops_in_one_sweep_" + real] = [] { return loops<Real>(bench::water<bench::WaterInOneSweep>()); };
+    cases["fluid_loops_in_one_sweep_by_hand_" + real] = loops_by_hand<Real>;
     cases["fluid_step_" + real] = [] { return step<Real>(bench::water<Water>()); };
     cases["solid_step_" + real] = [] {
         return step<Real>(Rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}});

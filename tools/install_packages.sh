@@ -2,9 +2,9 @@
 # Installs the Debian packages that imbibe needs and that are not there yet, as root or through sudo.
 # When nothing is missing it does nothing and needs neither.
 #
-#   sh tools/install_packages.sh          for the library, the examples and their pictures
-#   sh tools/install_packages.sh tests    for the tests as well
-#   sh tools/install_packages.sh clang    for a build with clang++ as well
+#   sh tools/install_packages.sh               for the library, the examples and their pictures
+#   sh tools/install_packages.sh tests         for the tests as well
+#   sh tools/install_packages.sh clang         for a build with clang++ as well
 #   sh tools/install_packages.sh benchmarks    for the benchmarks as well
 set -eu
 

@@ -3,6 +3,8 @@
 
 #include "measure.hpp"
 
+#include <imbibe/core/fields.hpp>
+
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -25,8 +27,13 @@ void steps(benchmark::State& state, const Make& make) {
         scene.step();
     const auto n = static_cast<double>(scene.particles());
     double moving = 0;
-    scene.engine().for_each_phase(
-        [&]<class P>(std::type_identity<P>, const auto& phase) { moving += P::moves ? phase.size() : 0; });
+    scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& phase) {
+        if constexpr (P::moves) {
+            moving += phase.size();
+            if (!(static_cast<double>(phase.view(velocity).cwiseAbs().maxCoeff()) < phase.material.sound_speed))
+                state.SkipWithError("the scene has blown up: its time is not that of a run");
+        }
+    });
     per_item(state, "particle", n);
     per_item(state, "moving", moving);
     state.counters["particles"] = n;
