@@ -5,7 +5,9 @@
 
 The files are written by tools/count_instructions.py. Ends with 0 if no count has grown, 1 if one has or is missing, and
 77 if the counts come from different compilers and so say nothing about the code. When fewer or more instructions are
-meant to be, the new file becomes the stored one: python3 tools/count_instructions.py ... -o benchmarks/baseline_counts.json
+meant to be, the new file becomes the stored one:
+
+    python3 tools/count_instructions.py build-benchmark/benchmarks/count_instructions -o benchmarks/baseline_counts.json
 """
 
 import argparse
@@ -39,7 +41,8 @@ def main():
     grown = []
     for case in sorted({*old, *new}):
         before, now = old.get(case), new.get(case)
-        row = f"{case:{width}}  {'-' if before is None else f'{before:.1f}':>10}  {'-' if now is None else f'{now:.1f}':>10}"
+        shown = ["-" if number is None else f"{number:.1f}" for number in (before, now)]
+        row = f"{case:{width}}  {shown[0]:>10}  {shown[1]:>10}"
         if before and now is not None:
             change = 100 * (now / before - 1)
             row += f"  {change:+7.1f}%"

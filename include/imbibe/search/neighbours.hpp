@@ -166,7 +166,7 @@ struct Stretches {
     Stretch list[3 * 9 + 1];
     int count = 0;
     std::uint32_t particles = 0;
-    bool plain; ///< none is seen through a periodic image, and none has more than 64 particles
+    bool plain; ///< none is seen through a periodic image
 
     /// What `reach` covers of `rows`.
     /// @param own the particle's own cell along x
@@ -180,12 +180,10 @@ struct Stretches {
             from[r] = rows.first_cell[r] + static_cast<std::uint32_t>(low);
             to[r] = rows.first_cell[r] + static_cast<std::uint32_t>(high);
         }
-        std::uint32_t lengths = 0;
         const auto add = [&](std::uint32_t begin, std::uint32_t end, int image) {
             list[count] = {begin, end, image};
             count += begin < end; // without a branch: whether a row at the rim is reached is a matter of chance
             particles += end - begin;
-            lengths |= end - begin;
         };
         for (std::size_t r = 0; r < RowsAround<dim>::count; ++r)
             add(table.start(from[r]), table.start(to[r]), rows.image[r]);
@@ -204,27 +202,18 @@ struct Stretches {
                 if (high > n)
                     across(0, std::min(high - n, n), 1);
             }
-        plain = plain && lengths < 64;
     }
 };
 
-/// Writes the runs of all stretches, at most 64 particles at a time. Returns the place after the last one.
+/// Writes the runs of one stretch of any length, 64 particles at a time. Returns the place after the last one.
 template <int width, int dim, class Real>
-Run* append_all_runs(Run* to, const Points<dim, Real>& sources, const std::array<double, 3>& at, Real support2,
-                     const Grid<dim>& grid, const Stretches<dim>& stretches) {
-    for (int k = 0; k < stretches.count; ++k) {
-        const Stretch& s = stretches.list[k];
-        Vector<Pack<Real, width>, dim> seen;
-        for (int d = 0; d < dim; ++d)
-            seen[d] = Pack<Real, width>(
-                static_cast<Real>(at[static_cast<std::size_t>(d)] - image_step(s.image, d) * grid.length(d)));
-        for (std::uint32_t from = s.begin; from < s.end;) {
-            const std::uint32_t until = std::min(from + 64, s.end);
-            Run* const before = to;
-            to = append_runs<width, dim, Real>(to, sources.x, seen, Pack<Real, width>(support2), from, until, s.end,
-                                               s.image);
-            from = to == before ? until : std::max(until, to[-1].first + to[-1].count); // the last run may go on
-        }
+Run* append_long_stretch(Run* to, const std::array<const Real*, static_cast<std::size_t>(dim)>& sources,
+                         const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2, const Stretch& s) {
+    for (std::uint32_t from = s.begin; from < s.end;) {
+        const std::uint32_t until = std::min(from + 64, s.end);
+        Run* const before = to;
+        to = append_runs<width, dim, Real>(to, sources, at, support2, from, until, s.end, s.image);
+        from = to == before ? until : std::max(until, to[-1].first + to[-1].count); // the last run may go on
     }
     return to;
 }
@@ -281,16 +270,20 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
             if (most > runs.size()) [[unlikely]]
                 runs.resize(2 * most);
             Run* to = runs.data() + used;
-            if (stretches.plain) [[likely]] {
-                Vector<T, dim> here;
-                for (int d = 0; d < dim; ++d)
-                    here[d] = T(static_cast<Real>(at[static_cast<std::size_t>(d)]));
-                for (int k = 0; k < stretches.count; ++k) {
-                    const auto [begin, stop, image] = stretches.list[k];
-                    to = detail::append_runs<width, dim, Real>(to, source_x, here, T(support2), begin, stop, stop, 0);
-                }
-            } else {
-                to = detail::append_all_runs<width>(to, sources, at, support2, grid, stretches);
+            Vector<T, dim> here;
+            for (int d = 0; d < dim; ++d)
+                here[d] = T(static_cast<Real>(at[static_cast<std::size_t>(d)]));
+            for (int k = 0; k < stretches.count; ++k) {
+                const detail::Stretch& s = stretches.list[k];
+                if (!stretches.plain) [[unlikely]]
+                    for (int d = 0; d < dim; ++d)
+                        here[d] = T(static_cast<Real>(at[static_cast<std::size_t>(d)] -
+                                                      image_step(s.image, d) * grid.length(d)));
+                if (s.end - s.begin <= 64) [[likely]]
+                    to = detail::append_runs<width, dim, Real>(to, source_x, here, T(support2), s.begin, s.end, s.end,
+                                                               s.image);
+                else
+                    to = detail::append_long_stretch<width, dim, Real>(to, source_x, here, T(support2), s);
             }
             used = static_cast<std::size_t>(to - runs.data());
             list.finish(i, static_cast<std::uint32_t>(used));
