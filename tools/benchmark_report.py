@@ -1,0 +1,303 @@
+#!/usr/bin/env python3
+"""Runs all benchmarks and writes docs/speed.md, with tables, pictures and the command behind each number.
+
+    cmake --preset benchmark && cmake --build --preset benchmark
+    python3 tools/benchmark_report.py --build build-benchmark
+
+The results stay as JSON in build-benchmark/results/; --reuse writes the report from them again without measuring. With
+--quick it takes two minutes instead of half an hour and leaves out the largest scenes. Nothing else should run on the
+machine: the report says how busy it was.
+"""
+
+import argparse
+import json
+import os
+import re
+import sys
+
+import benchmark_results as results
+import count_instructions
+from picture_style import CURVES, DASHES, plt, save
+
+REALS = ("float", "double")
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def table(head, rows):
+    """Lines of a table in Markdown: the first column to the left, numbers to the right."""
+    line = lambda cells: "| " + " | ".join(str(cell) for cell in cells) + " |"
+    return [line(head), line(["---"] + ["---:"] * (len(head) - 1)), *map(line, rows), ""]
+
+
+def ns(row, counter="particle", digits=0):
+    """A time in nanoseconds, or a dash where it was not measured."""
+    return "-" if row is None or counter not in row else f"{row[counter] * 1e9:.{digits}f}"
+
+
+def percent(part):
+    return f"{100 * part:.0f} %"
+
+
+class Report:
+    def __init__(self, arguments):
+        self.build, self.output = arguments.build, arguments.output
+        self.quick = results.was_quick(os.path.join(self.build, "results"))
+        self.pictures = os.path.splitext(self.output)[0]
+        self.rows, self.contexts = results.read(os.path.join(self.build, "results"))
+        self.lines = []
+        peaks = self.rows.get("peaks", {})
+        self.flops = {real: row["flops"] for real in REALS for name, row in peaks.items()
+                      if name.startswith(f"multiply_add/{real}/")}
+        self.bandwidth = peaks.get("triad/1_thread", {}).get("bytes")
+
+    def get(self, program, name):
+        return self.rows.get(program, {}).get(name)
+
+    def matches(self, program, pattern):
+        """(groups of the match, row) of every benchmark whose whole name fits the pattern."""
+        return [(found.groups(), row) for name, row in self.rows.get(program, {}).items()
+                if (found := re.fullmatch(pattern, name))]
+
+    def section(self, title, programs, *text):
+        commands = [results.command_of(self.build, program, self.quick)
+                    for program in ([programs] if isinstance(programs, str) else programs)]
+        self.lines += [f"## {title}", "", *text, "", "```sh", *commands, "```", ""]
+
+    def picture(self, name, figure, caption):
+        os.makedirs(self.pictures, exist_ok=True)
+        save(figure, os.path.join(self.pictures, name), 150)
+        self.lines += [f"![{caption}]({os.path.basename(self.pictures)}/{name})", ""]
+
+    # ---- the sections ----
+
+    def head(self):
+        busy = [context["load_avg"][0] for context in self.contexts.values() if context.get("load_avg")]
+        commit = results.first_line(["git", "-C", ROOT, "describe", "--always", "--dirty"]).strip()
+        self.lines += [
+            "# Speed", "",
+            f"Written by `python3 tools/benchmark_report.py{' --quick' if self.quick else ''}`; "
+            "what it cannot measure is not here.", "",
+            f"- Processor: {results.machine()}",
+            f"- Compiler: {results.compiler(self.build)}",
+            f"- imbibe: {commit or 'unknown version'}",
+            f"- Programs that ran at the same time: load average {min(busy):.1f} to {max(busy):.1f} while measuring"
+            if busy else "- Programs that ran at the same time: unknown", "",
+            "Times are CPU times of one thread, those of two threads real times; the least of "
+            f"{'one repetition' if self.quick else 'five repetitions'}. A particle-step is one particle in one step.",
+            ""]
+        if busy and max(busy) > 1.5:
+            self.lines += ["**The machine was busy: trust ratios, not the numbers themselves.**", ""]
+
+    def peaks(self):
+        self.section("What the machine can do at most", "peaks",
+                     "Multiply-adds in registers, each counted as two operations, and a = b + s c over arrays far "
+                     "larger than the caches. Fractions below are of these.")
+        two = self.get("peaks", "triad/2_threads")
+        self.lines += table(["", "measured"], [
+            *([f"{real}, {int(row['width'])} at a time, one thread", f"{row['flops'] * 1e-9:.0f} Gflop/s"]
+              for real in REALS for _, row in self.matches("peaks", rf"multiply_add/{real}/\d+")),
+            *([[f"memory, {n} thread{'s' if n > 1 else ''}", f"{row['bytes'] * 1e-9:.1f} GB/s"]
+               for n, row in ((1, self.get("peaks", "triad/1_thread")), (2, two)) if row])])
+
+    def steps(self):
+        def rows_of(program, pattern, size_name):
+            rows = []
+            for (name, real, size), one in self.matches(program, pattern + "/1"):
+                two = self.get(program, f"{name}/{real}/{size}/2")
+                stored = one["bytes"] + one["list_bytes"]
+                rows.append([f"{name.replace('_', ' ')}{size_name(size)}, {real}", f"{one['particles']:,.0f}",
+                             ns(one), ns(one, "moving"), f"{1e-6 / one['particle']:.2f}", ns(two),
+                             f"{one['particle'] / two['particle']:.2f}" if two else "-", f"{one['neighbours']:.0f}",
+                             f"{one['bytes']:.0f}", f"{one['list_bytes']:.0f}",
+                             percent(stored / self.bandwidth / one["particle"]) if self.bandwidth else "-"])
+            return rows
+
+        head = ["scene", "particles", "ns per particle-step", "ns per moving particle", "million particle-steps/s",
+                "two threads, ns", "speed-up", "neighbours", "bytes per particle", "bytes of its runs",
+                "memory's share"]
+        self.section("Whole steps", "bench_steps",
+                     "Water in free fall (continuity, pressure, artificial viscosity; Wendland C2, support of 2.6 "
+                     "spacings), the dam break of the README in other sizes, and a total-Lagrangian column with a "
+                     "support of 2 spacings. Walls count as particles. Memory's share is how much of the time it would "
+                     "take to bring all that is stored through memory once, at the measured bandwidth.")
+        self.lines += table(head, rows_of("bench_steps", r"(\w+)/(\w+)/(\d+)", lambda size: ""))
+        figure, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
+        for k, scene in enumerate(("cube", "dam_break", "column")):
+            for real, dash in zip(REALS, DASHES):
+                points = sorted((row["particles"], row["particle"] * 1e9)
+                                for _, row in self.matches("bench_steps", rf"{scene}/{real}/(\d+)/1"))
+                if points:
+                    axes.plot(*zip(*points), dash, marker="o", ms=4, color=CURVES[k],
+                              label=f"{scene.replace('_', ' ')}, {real}")
+        self.finish(axes, "particles", "time per particle-step (ns)", log=True)
+        self.picture("steps.png", figure, "Time per particle-step against the number of particles")
+
+        self.section("The sponge", "bench_sponge", "Strip and full scene, water and sponge in contact from the start.")
+        self.lines += table(head, rows_of("bench_sponge", r"(\w+)/(\w+)/(\d+)",
+                                          lambda size: ", strip" if size == "1" else ", full"))
+
+    def sweeps(self):
+        self.section("Pair loops", "bench_sweep",
+                     "The loops of a step without search and motion. *By hand* is the same work over the same runs, "
+                     "written out without terms, fields and schedule, measured in turns with the library's. Two sweeps "
+                     "is how the library runs this fluid (density rate, then forces from the new density); one sweep "
+                     "has the same pair parts together. Lanes used: neighbours, the particle itself included, among "
+                     "all lanes. Operations count all lanes and each addition, multiplication, maximum, quotient and "
+                     "root as one.")
+        rows = []
+        for (kind, real, tenths), row in self.matches("bench_sweep", r"fluid/(\w+)/(\w+)/(\d+)"):
+            reached = row["operations"] / row["particle"] / self.flops[real] if kind == "one_sweep" else None
+            rows.append([f"fluid in {kind.replace('_', ' ')}, {real}", f"{int(tenths) / 10:.1f}",
+                         f"{row['neighbours']:.0f}", ns(row), ns(row, "hand"), f"{row['ratio']:.2f}",
+                         percent((row["neighbours"] + 1) / (row["runs"] * row["width"])),
+                         percent(reached) if reached else "-"])
+        for (kind, real, tenths), row in self.matches("bench_sweep", r"(hypoelastic|total_lagrangian)/(\w+)/(\d+)"):
+            rows.append([f"{kind.replace('_', '-')} solid, {real}", f"{int(tenths) / 10:.1f}",
+                         f"{row['neighbours']:.0f}", ns(row), "-", "-", "-", "-"])
+        self.lines += table(["loops", "support in spacings", "neighbours", "ns per particle", "by hand, ns",
+                             "library / by hand", "lanes used", "of peak arithmetic"], rows)
+        figure, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
+        for k, real in enumerate(REALS):
+            found = self.matches("bench_sweep", rf"fluid/one_sweep/{real}/(\d+)")
+            sweeps = [(row["neighbours"], row) for _, row in found]
+            near = {tenths: row["neighbours"] for (tenths,), row in found}
+            search = [(near[tenths], row) for (tenths,), row in
+                      self.matches("bench_search", rf"find_runs/{real}/sorted/100000/(\d+)") if tenths in near]
+            for points, counter, dash, label in ((sweeps, "particle", "-", "pair loop"),
+                                                 (sweeps, "hand", ":", "by hand"),
+                                                 (search, "particle", "--", "search")):
+                axes.plot([x for x, _ in points], [row[counter] * 1e9 for _, row in points], dash, marker="o", ms=4,
+                          color=CURVES[k], label=f"{label}, {real}")
+        self.finish(axes, "neighbours", "time per particle (ns)")
+        axes.set_xlim(left=0)
+        self.picture("neighbours.png", figure, "Time per particle against the number of neighbours")
+
+    def search(self):
+        self.section("Neighbours", "bench_search",
+                     "On one thread. *Sort*: grid and counting sort; for sorted points that is what it costs to find "
+                     "out that nothing is to be done. *Reorder*: one stored number. *Moved* points were sorted one "
+                     "step ago. *Neighbours* is sort, three coordinates reordered, and runs. nanoflann lists every "
+                     "neighbour by itself, from the same points.")
+        rows = []
+        for (what, order, size, tenths), single in self.matches(
+                "bench_search", r"(sort|reorder|find_runs|neighbours|nanoflann)/float/(\w+)/(\d+)/(\d+)"):
+            double = self.get("bench_search", f"{what}/double/{order}/{size}/{tenths}")
+            rows.append([f"{what.replace('_', ' ')}, {order}", f"{int(size):,}", f"{int(tenths) / 10:.1f}",
+                         ns(single, digits=1), ns(double, digits=1),
+                         f"{single['runs']:.1f}" if "runs" in single else "-",
+                         f"{double['runs']:.1f}" if double and "runs" in double else "-"])
+        self.lines += table(["operation, order of the points", "particles (about)", "support in spacings",
+                             "float, ns per particle", "double, ns per particle", "runs, float", "runs, double"], rows)
+        figure, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
+        for k, order in enumerate(("sorted", "moved", "shuffled")):
+            for real, dash in zip(REALS, DASHES):
+                points = sorted((int(size), row["particle"] * 1e9) for (size,), row in
+                                self.matches("bench_search", rf"neighbours/{real}/{order}/(\d+)/26"))
+                if points:
+                    axes.plot(*zip(*points), dash, marker="o", ms=4, color=CURVES[k], label=f"{order}, {real}")
+        self.finish(axes, "particles", "search per particle (ns)", log=True)
+        self.picture("search.png", figure, "Time of the search per particle against the number of particles")
+
+    def terms(self):
+        self.section("Terms one by one", "bench_terms",
+                     "Each pair term alone in a sweep, float, support of 2.6 spacings. The part that every sweep has "
+                     "(positions, distance, runs) is in each number, so the numbers do not add up.")
+        self.lines += table(["term", "ns per particle", "ns per neighbour"],
+                            [[name, ns(row), ns(row, "neighbour", 2)]
+                             for name, row in self.rows.get("bench_terms", {}).items()])
+
+    def kernels(self):
+        self.section("Kernels one by one", "bench_kernels",
+                     "ns for one value or one gradient: one number at a time, and in packs of the machine's width.")
+        rows = {}
+        for (kernel, what, real, width), row in self.matches("bench_kernels", r"(.+)/(\w+)/(\w+)/(\d+)"):
+            rows.setdefault((kernel, what), {})[real, width == "1"] = ns(row, "evaluation", 2)
+        columns = [(real, single) for real in REALS for single in (True, False)]
+        self.lines += table(["kernel", *(f"{real}, {'one' if single else 'packs'}" for real, single in columns)],
+                            [[f"{kernel}, {what}", *(cells.get(column, "-") for column in columns)]
+                             for (kernel, what), cells in rows.items()])
+
+    def widths(self):
+        programs = [name for name in ("bench_widths_sse2", "bench_widths_avx2", "bench_widths_avx512")
+                    if name in self.rows]
+        if not programs:
+            return
+        self.section("Pack widths", programs,
+                     "The fluid in two sweeps, 100,000 particles, compiled for different instruction sets, which "
+                     "decide how many numbers are computed at once.")
+        found = {(what, real, int(width)): row for name in programs
+                 for (what, real, width), row in self.matches(name, r"(\w+)/(\w+)/(\d+)")}
+        parts = ("search", "loops", "step")
+        self.lines += table(["numbers at once", *(f"{what}, ns per particle" for what in parts)],
+                            [[f"{width}, {real}", *(ns(found.get((what, real, width))) for what in parts)]
+                             for real in REALS for width in sorted({w for _, r, w in found if r == real})])
+        figure, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
+        for k, what in enumerate(("step", "loops", "search")):
+            for real, dash in zip(REALS, DASHES):
+                points = sorted((w, row["particle"] * 1e9) for (x, r, w), row in found.items()
+                                if (x, r) == (what, real))
+                axes.plot(*zip(*points), dash, marker="o", ms=4, color=CURVES[k], label=f"{what}, {real}")
+        self.finish(axes, "numbers computed at once", "time per particle (ns)")
+        axes.set_xscale("log", base=2)
+        axes.set_xticks(sorted({w for _, _, w in found}), [str(w) for w in sorted({w for _, _, w in found})])
+        self.picture("widths.png", figure, "Time per particle against the width of packs")
+
+    def counts(self):
+        path = os.path.join(self.build, "results", "counts.json")
+        if not os.path.exists(path):
+            return
+        with open(path) as file:
+            counts = json.load(file)
+        self.lines += [
+            "## Instructions", "",
+            "How many instructions a particle (of kernels: a value and a gradient) takes, compiled for AVX2 "
+            f"(`-O3 -march=x86-64-v3`, {counts['compiler']}). The numbers stay the same from run to run; "
+            "`tools/compare_counts.py` tells when one has grown.", "",
+            f"```sh\npython3 tools/count_instructions.py {os.path.basename(os.path.normpath(self.build))}"
+            "/benchmarks/count_instructions -o counts.json\n```", ""]
+        cases = sorted({name.rsplit("_", 1)[0] for name in counts["counts"]})
+        found = counts["counts"]
+        number = lambda name: "-" if name not in found else f"{found[name]:,.{0 if found[name] >= 100 else 1}f}"
+        self.lines += table(["work", *REALS],
+                            [[case.replace("_", " "), *(number(f"{case}_{real}") for real in REALS)] for case in cases])
+
+    @staticmethod
+    def finish(axes, x, y, log=False):
+        if log:
+            axes.set_xscale("log")
+        axes.set_xlabel(x)
+        axes.set_ylabel(y)
+        axes.set_ylim(bottom=0)
+        axes.grid(True)
+        axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5))
+
+    def write(self):
+        for part in (self.head, self.peaks, self.steps, self.sweeps, self.search, self.terms, self.kernels, self.widths,
+                     self.counts):
+            part()
+        os.makedirs(os.path.dirname(os.path.abspath(self.output)), exist_ok=True)
+        with open(self.output, "w") as file:
+            file.write("\n".join(self.lines).rstrip() + "\n")
+        print(f"wrote {self.output} and {self.pictures}/")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", default="build-benchmark", help="the build folder (default: build-benchmark)")
+    parser.add_argument("--output", default=os.path.join(ROOT, "docs", "speed.md"), help="default: docs/speed.md")
+    parser.add_argument("--quick", action="store_true", help="short and rough")
+    parser.add_argument("--reuse", action="store_true", help="write the report from stored results")
+    arguments = parser.parse_args()
+    folder = os.path.join(arguments.build, "results")
+    if not arguments.reuse:
+        results.run(arguments.build, folder, arguments.quick)
+        print("count_instructions ...", flush=True)
+        counts = count_instructions.counts_of(os.path.abspath(os.path.join(arguments.build, "benchmarks",
+                                                                           "count_instructions")))
+        with open(os.path.join(folder, "counts.json"), "w") as file:
+            json.dump(counts, file, indent=4)
+    Report(arguments).write()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,132 @@
+"""Runs the benchmarks and reads what they wrote: the half of tools/benchmark_report.py that measures."""
+
+import json
+import os
+import platform
+import re
+import statistics
+import subprocess
+import sys
+
+TIMES = ("particle", "moving", "hand", "evaluation", "neighbour")  # counters in seconds: the least is the best guess
+RATES = ("flops",)  # the greatest is
+
+FULL = ["--benchmark_repetitions=5", "--benchmark_min_time=0.2"]
+QUICK = ["--benchmark_repetitions=1", "--benchmark_min_time=0.01", "--benchmark_filter=-1000000"]
+
+
+def stop(message):
+    sys.exit(f"benchmark_report.py: {message}")
+
+
+def programs_in(build):
+    """The names of the programs in the build folder, and the folder they are in."""
+    folder = os.path.join(build, "benchmarks")
+    names = [name for name in (sorted(os.listdir(folder)) if os.path.isdir(folder) else [])
+             if (name == "peaks" or name.startswith("bench_")) and os.access(os.path.join(folder, name), os.X_OK)
+             and os.path.isfile(os.path.join(folder, name))]
+    if not names:
+        stop(f"there are no benchmarks in {folder}; run: cmake --preset benchmark && cmake --build --preset benchmark")
+    return folder, names
+
+
+def run(build, results, quick):
+    """Runs every program and leaves its JSON in `results`."""
+    folder, names = programs_in(build)
+    os.makedirs(results, exist_ok=True)
+    options = QUICK if quick else FULL
+    with open(os.path.join(results, "options.json"), "w") as file:
+        json.dump(options, file)
+    for name in names:
+        output = os.path.join(results, f"{name}.json")
+        if os.path.exists(output):
+            os.remove(output)
+        print(f"{name} ...", flush=True)
+        # No report line on the terminal is needed, the file has it all.
+        done = subprocess.run([os.path.join(folder, name), f"--benchmark_out={output}", *options], text=True,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        if done.returncode == -4:
+            print(f"{name}: this processor lacks the instruction set it is compiled for; left out")
+            if os.path.exists(output):
+                os.remove(output)
+        elif done.returncode != 0:
+            stop(f"{name} failed with {done.returncode}:\n{done.stderr}")
+
+
+def was_quick(results):
+    """Whether the results are those of a quick run."""
+    try:
+        with open(os.path.join(results, "options.json")) as file:
+            return json.load(file) == QUICK
+    except (OSError, ValueError):
+        return False
+
+
+def command_of(build, name, quick):
+    """The command that made the results of a program, from the repository root."""
+    return " ".join([f"{os.path.basename(os.path.normpath(build))}/benchmarks/{name}", *(QUICK if quick else FULL)])
+
+
+def read(results):
+    """{program: {benchmark: {counter: number}}}, the best of the repetitions, and {program: context}."""
+    rows, contexts = {}, {}
+    for file in sorted(os.listdir(results)) if os.path.isdir(results) else []:
+        name = file.removesuffix(".json")
+        if name != "peaks" and not name.startswith("bench_"):
+            continue
+        try:
+            with open(os.path.join(results, file)) as stream:
+                found = json.load(stream)
+        except ValueError:
+            stop(f"{file} is not complete; run the benchmarks again")
+        contexts[name], repetitions = found["context"], {}
+        for row in found["benchmarks"]:
+            if row.get("error_occurred"):
+                stop(f"{name}, {row['name']}: {row['error_message']}")
+            if row["run_type"] == "iteration":
+                repetitions.setdefault(row["run_name"], []).append(row)
+        rows[name] = {clean(benchmark): best(of) for benchmark, of in repetitions.items()}
+    if not rows:
+        stop(f"there are no results in {results}")
+    return rows, contexts
+
+
+def clean(name):
+    return re.sub(r"/(real_time|manual_time)$", "", name)
+
+
+def best(repetitions):
+    counters = {}
+    for key, value in repetitions[0].items():
+        if isinstance(value, (int, float)):
+            values = [row[key] for row in repetitions]
+            pick = min if key in TIMES else max if key in RATES else statistics.median
+            counters[key] = pick(values)
+    return counters
+
+
+def first_line(command):
+    try:
+        return subprocess.run(command, text=True, capture_output=True, env={**os.environ, "LC_ALL": "C"}).stdout
+    except OSError:
+        return ""
+
+
+def machine():
+    """What the processor is called, and how many of it there are."""
+    model = re.search(r"^Model name:\s*(.+)$", first_line(["lscpu"]), re.MULTILINE)
+    return f"{model.group(1) if model else platform.processor() or platform.machine()}, {os.cpu_count()} logical cores"
+
+
+def compiler(build):
+    """The compiler and the options of a build folder."""
+    try:
+        with open(os.path.join(build, "CMakeCache.txt")) as file:
+            cache = dict(re.findall(r"^(\w+):\w+=(.*)$", file.read(), re.MULTILINE))
+    except OSError:
+        return "unknown compiler"
+    version = first_line([cache.get("CMAKE_CXX_COMPILER", "c++"), "--version"]).splitlines()
+    kind = cache.get("CMAKE_BUILD_TYPE", "")
+    flags = [cache.get("CMAKE_CXX_FLAGS", ""), cache.get(f"CMAKE_CXX_FLAGS_{kind.upper()}", ""),
+             "-march=native" if cache.get("IMBIBE_NATIVE", "ON") == "ON" else ""]
+    return f"{version[0] if version else 'unknown compiler'}, `{' '.join(flag for flag in flags if flag)}`"
