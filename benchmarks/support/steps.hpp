@@ -15,7 +15,7 @@ namespace imbibe::bench {
 /// Counters: `particle`, the time per particle and step, and `moving`, per particle that is not a wall's; `bytes`, what
 /// a particle stores, and `list_bytes`, its runs; `neighbours`, those of the first phase among its own.
 template <class Scene, class Make>
-void steps(benchmark::State& state, const Make& make) {
+void steps(benchmark::State& state, Make make) {
     const auto size = state.range(0), threads = state.range(1);
     auto& scene = kept<Scene>(std::pair{size, threads}, [&](const auto&) {
         auto made = make(static_cast<int>(size), static_cast<int>(threads));
@@ -48,7 +48,7 @@ void steps(benchmark::State& state, const Make& make) {
 
 /// Registers the benchmark `name` for each size, on one thread (CPU time) and on two (real time).
 template <class Scene, class Make>
-void add_steps(const std::string& name, const Make& make, const std::vector<std::int64_t>& sizes) {
+void add_steps(const std::string& name, Make make, const std::vector<std::int64_t>& sizes) {
     const auto run = [make](benchmark::State& state) { steps<Scene>(state, make); };
     benchmark::RegisterBenchmark(name.c_str(), run)->ArgsProduct({sizes, {1}});
 #ifdef _OPENMP
