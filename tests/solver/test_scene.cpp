@@ -142,6 +142,36 @@ TEST_CASE("One particle, and two", "[scene]") {
     CHECK(a.rightCols(2).norm() == 0); // along the line of centres
 }
 
+TEST_CASE("In float, a scene far away is the scene at home when its origin goes along", "[scene]") {
+    using Scene = sph::Solver<3, float, sph::SymplecticEuler, Drop>;
+    const double far = 1e4; // in diameters of the drop
+    const auto shape = [](double away, std::array<double, 3> origin, double lower) {
+        Scene scene({.gravity = {0, 0, -9.81},
+                     .support_radius = 0.21,
+                     .periodic_lower = {lower, 0, 0},
+                     .periodic_length = {1, 0, 0},
+                     .origin = origin,
+                     .threads = 1});
+        auto points = ball(0.1, 0.45);
+        for (auto& x : points)
+            x += DropScene::Point(away, -away, 3 * away);
+        const auto handle = scene.add(drop, points, 0.1);
+        CHECK(scene.remove_if(handle, [&](const auto& x) { return x[0] > away + 0.33; }) > 0); // in world coordinates
+        auto view = scene[handle];
+        for (int i = 0; i < view.size(); ++i)
+            view[sph::density](i) = 1000 * (1 + 0.01f * std::sin(float(view.ids()[std::size_t(i)])));
+        for (int k = 0; k < 20; ++k)
+            scene.step(1e-3);
+        return std::pair(Eigen::MatrixXf(view[sph::acceleration]), view.ids());
+    };
+    const auto [home, home_ids] = shape(0, {}, -0.5);
+    const auto [away, away_ids] = shape(far, {far, -far, 3 * far}, far - 0.5);
+    REQUIRE(home_ids == away_ids);
+    CHECK((home - away).cwiseAbs().maxCoeff() < 1e-3 * home.cwiseAbs().maxCoeff());
+    REQUIRE_THROWS_WITH(Scene({.support_radius = 0.21, .origin = {0, std::nan(""), 0}}),
+                        imbibe_test::contains("origin"));
+}
+
 TEST_CASE("A scene without particles says so", "[scene]") {
     DropScene scene({.support_radius = 0.25});
     REQUIRE_THROWS_WITH(scene.step(), imbibe_test::contains("no particles"));
@@ -337,8 +367,8 @@ TEST_CASE("Bad materials and points leave the scene as it was", "[scene]") {
     Drop light = drop;
     light.density = 500;
     REQUIRE_THROWS_WITH(scene.add(light, {{0, 1, 0}}, 0.125), imbibe_test::contains("500 kg/m^3 now"));
-    REQUIRE_THROWS_WITH(scene.add(drop, {{0, 1, 0}, {0, 1, 0}}, 0.125), imbibe_test::contains("Drop: ") &&
-                                                                            imbibe_test::contains("coincide"));
+    REQUIRE_THROWS_WITH(scene.add(drop, {{0, 1, 0}, {0, 1, 0}}, 0.125),
+                        imbibe_test::contains("Drop: ") && imbibe_test::contains("coincide"));
     REQUIRE_THROWS_WITH(scene.add(drop, {{0.125, 0, 1e-6}}, 0.125), imbibe_test::contains("coincide"));
     CHECK(scene[handle].size() == 2);
     scene.step();
@@ -346,7 +376,8 @@ TEST_CASE("Bad materials and points leave the scene as it was", "[scene]") {
 }
 
 TEST_CASE("Coefficients out of range are refused before the first step", "[scene]") {
-    struct Thick : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>, sph::MonaghanViscosity<K>> {};
+    struct Thick
+        : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>, sph::MonaghanViscosity<K>> {};
     Thick thick{{.density = 1000, .sound_speed = 10}};
     thick.set(sph::MonaghanViscosityParameters{.alpha = -0.1});
     sph::Solver<3, double, sph::SymplecticEuler, Thick> scene({.support_radius = 0.25});

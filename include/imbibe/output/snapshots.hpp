@@ -19,7 +19,8 @@ public:
     template <class Scene>
     void operator()(const Scene& scene) {
         scene.engine().for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
-            write<typename Scene::Scene, P, Scene::dimension>(s, scene.time(), typename Scene::template FieldsOf<P>{});
+            write<typename Scene::Scene, P, Scene::dimension>(s, scene.time(), scene.settings().origin,
+                                                              typename Scene::template FieldsOf<P>{});
         });
     }
 
@@ -55,13 +56,18 @@ private:
     }
 
     template <class Composition, class P, int dim, class State, class... F>
-    void write(const State& s, double seconds, TypeList<F...>) {
+    void write(const State& s, double seconds, const std::array<double, static_cast<std::size_t>(dim)>& origin,
+               TypeList<F...>) {
         VtkFile file(static_cast<std::size_t>(s.size()),
                      VtkArray::of("position", "m", Rank::vector, dim, s.field(position), s.stride()));
         (add<Composition, P, dim, F>(file, s), ...);
         static_assert(sizeof(std::uint32_t) == sizeof(std::int32_t));
         file.add(VtkArray::scalar("id", "1", reinterpret_cast<const std::int32_t*>(s.ids.data())));
         file.constant("spacing", s.material.spacing);
+        const char* const names[] = {"origin_x", "origin_y", "origin_z"};
+        for (std::size_t d = 0; d < dim; ++d)
+            if (origin[d] != 0)
+                file.constant(names[d], origin[d]);
         series(file_name<P>()).write(seconds, file);
     }
     template <class Composition, class P, int dim, class F, class State>

@@ -57,6 +57,9 @@ public:
         require(with.max_time_step > 0, "max_time_step = ", with.max_time_step, " s; it must be above 0 s");
         for (double lower : with.periodic_lower)
             require(std::isfinite(lower), "a periodic_lower of ", lower, " m; it must be a finite number");
+        for (double coordinate : with.origin)
+            require(std::isfinite(coordinate), "an origin with a coordinate of ", coordinate,
+                    " m; all must be finite numbers");
         for (double length : with.periodic_length)
             require(std::isfinite(length) && (length == 0 || length >= with.support_radius), "a periodic length of ",
                     length, " m; it must be 0 (not periodic) or at least the support radius, ", with.support_radius,
@@ -64,7 +67,8 @@ public:
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
         engine_.threads = with.threads > 0 ? with.threads : available_threads();
-        engine_.periodic.lower = with.periodic_lower;
+        for (std::size_t d = 0; d < dim; ++d)
+            engine_.periodic.lower[d] = with.periodic_lower[d] - with.origin[d];
         engine_.periodic.length = with.periodic_length;
     }
 
@@ -115,7 +119,9 @@ public:
             for (int d = 0; d < dim; ++d) {
                 const auto axis = static_cast<std::size_t>(d);
                 const double length = settings_.periodic_length[axis];
-                const double at = length > 0 ? search::into_period(x[d], settings_.periodic_lower[axis], length) : x[d];
+                double at = x[d] - settings_.origin[axis];
+                if (length > 0)
+                    at = search::into_period(at, engine_.periodic.lower[axis], length);
                 s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(at);
                 if constexpr (State<P>::keeps_reference)
                     s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(at);
@@ -339,8 +345,8 @@ private:
     }
     // The new points among themselves and against the particles the phase has already.
     template <class S>
-    static void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing,
-                                    const std::string& name) {
+    void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing,
+                             const std::string& name) const {
         std::vector<Point> all = points;
         for (int i = 0; i < s.size(); ++i)
             all.push_back(position_of(s, i));
@@ -375,11 +381,13 @@ private:
             Term::check(owner, name);
     }
 
+    // In the coordinates of the world.
     template <class S>
-    static Point position_of(const S& s, int i) {
+    Point position_of(const S& s, int i) const {
         Point x;
         for (int d = 0; d < dim; ++d)
-            x[d] = static_cast<double>(s.column(S::template offset<Position> + d)[i]);
+            x[d] = static_cast<double>(s.column(S::template offset<Position> + d)[i]) +
+                   settings_.origin[static_cast<std::size_t>(d)];
         return x;
     }
 
