@@ -455,13 +455,13 @@ IMBIBE_INLINE void truncate(Pack<float, width> x, std::int32_t* to) {
     }
 }
 
-/// The lane numbers 0, 1, 2, ...
+/// a in the first `count` lanes, b in the others.
 template <class Real, int width>
-IMBIBE_INLINE Pack<Real, width> lane_numbers() {
+IMBIBE_INLINE Pack<Real, width> select_first(unsigned count, Pack<Real, width> a, Pack<Real, width> b) {
     Real numbers[width];
     for (int k = 0; k < width; ++k)
         numbers[k] = static_cast<Real>(k);
-    return Pack<Real, width>::load(numbers);
+    return select(Pack<Real, width>::load(numbers) < Pack<Real, width>(static_cast<Real>(count)), a, b);
 }
 
 } // namespace imbibe

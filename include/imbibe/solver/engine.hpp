@@ -159,15 +159,18 @@ private:
     void sweep_block(State<P>& s, const Sources& sources, const AllParts& parts, int begin, int end,
                      std::index_sequence<k...>) {
         using T = Pack<Real, Base::width>;
+        using OwnFields = typename OwnFieldsOf<dim, Nodes>::type;
         for (int i = begin; i < end; ++i) {
             Sums<Adds, dim, T> sums;
             for (T& t : sums.total)
                 t = T(0);
+            OwnValues<OwnFields, dim, T> own;
+            own.template load<FieldsOf<P>>(s.data() + i, s.stride());
+            const OwnView<P, OwnFields, dim, T> a{own, s.material, this->gravity};
             (gather<S, FieldsOf<typename S::B>>(
                  Filter<NodesFrom<S>::template Keep, Nodes>{},
                  std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(std::get<k>(parts))>>>{}, sums,
-                 s, std::get<k>(sources), this->template state<typename S::B>().material, this->gravity, i,
-                 std::get<k>(parts)),
+                 s, a, std::get<k>(sources), this->template state<typename S::B>().material, i, std::get<k>(parts)),
              ...);
             store<P>(s, i, sums, Adds{});
         }
@@ -201,6 +204,7 @@ private:
         source.runs = &l.runs;
         source.support = l.support;
         source.periodic = &this->periodic;
+        source.image_number = any_periodic() ? search::image_count<dim> : 1;
         for (int shift = 0; shift < search::image_count<dim>; ++shift)
             for (int d = 0; d < dim; ++d)
                 source.images[static_cast<std::size_t>(shift)][d] = static_cast<Real>(

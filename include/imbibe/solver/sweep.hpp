@@ -43,6 +43,68 @@ struct ParticleView {
     }
 };
 
+/// The fields of the particle that a sweep sums for, each number in all lanes of a pack: loaded once for all its
+/// neighbours.
+template <class List, int dim, class T>
+struct OwnValues {
+    T values[static_cast<std::size_t>(component_count<dim, List> > 0 ? component_count<dim, List> : 1)];
+
+    /// @param first the particle's number in the first column of its phase
+    template <class Stored, class Real>
+    IMBIBE_INLINE void load(const Real* first, std::size_t stride) {
+        load_fields<Stored>(first, stride, List{});
+    }
+    template <class F>
+    IMBIBE_INLINE auto get() const {
+        Value<F, dim, T> v;
+        for (int k = 0; k < components(F::rank, dim); ++k)
+            component(v, k) = values[component_offset<dim, F, List> + k];
+        return v;
+    }
+
+private:
+    template <class Stored, class Real, class... F>
+    IMBIBE_INLINE void load_fields([[maybe_unused]] const Real* first, [[maybe_unused]] std::size_t stride,
+                                   TypeList<F...>) {
+        [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
+            for (int k = 0; k < components(G::rank, dim); ++k)
+                values[component_offset<dim, G, List> + k] =
+                    T(first[static_cast<std::size_t>(component_offset<dim, G, Stored> + k) * stride]);
+        };
+        (one(std::type_identity<F>{}), ...);
+    }
+};
+
+/// That particle as a part sees it.
+template <class P, class List, int dim, class T>
+struct OwnView {
+    using Material = P;
+    using Scalar = T;
+    static constexpr int dimension = dim;
+    const OwnValues<List, dim, T>& own;
+    const P& material;
+    const Vector<double, dim>& gravity_now;
+
+    template <class F>
+    IMBIBE_INLINE auto operator[](F) const {
+        return own.template get<F>();
+    }
+    IMBIBE_INLINE Vector<T, dim> gravity() const {
+        Vector<T, dim> g;
+        for (int i = 0; i < dim; ++i)
+            g[i] = T(gravity_now[i]);
+        return g;
+    }
+};
+
+/// The fields of their own particle that the nodes of a sweep read.
+template <int dim, class List>
+struct OwnFieldsOf;
+template <int dim, class... N>
+struct OwnFieldsOf<dim, TypeList<N...>> {
+    using type = Unique<Concat<ReadsOnA<dim, N>...>>;
+};
+
 /// The sums of a sweep, field by field, and the contributions along the line of centres not yet multiplied out.
 template <class List, int dim, class T>
 struct Sums {
@@ -114,21 +176,19 @@ struct SourceData {
     double support;
     const search::Periodic<dim>* periodic;
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
+    int image_number; ///< 1 where no side is periodic
 };
 
 /// What a single node contributes for one run of neighbours.
-template <class N, class ListA, class ListB, int dim, class Real, int width, class Part, class Adds>
-IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums,
-                           const PhaseState<typename N::A, ListA, dim, Real>& state,
+template <class N, class ListB, class Own, int dim, class Real, int width, class Part, class Adds>
+IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums, const Own& a,
                            const SourceData<dim, Real>& source, const typename N::B& material_b,
-                           const Pair<dim, Pack<Real, width>>& ab, int i, const search::Run& run) {
+                           const Pair<dim, Pack<Real, width>>& ab, const search::Run& run) {
     const Vector<Real, dim>& image = source.images[run.shift];
-    const ParticleView<N, typename N::A, ListA, dim, Real, width, true> a{state.data() + i, state.stride(),
-                                                                          state.material, ab.gravity_now, &image};
     const ParticleView<N, typename N::B, ListB, dim, Real, width, false> b{source.data + run.first, source.stride,
                                                                            material_b, ab.gravity_now, &image};
-    add_all<dim, Pack<Real, width>, Adds, N>(
-        sums, part(a, b, ab), std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
+    add_all<dim, Pack<Real, width>, Adds, N>(sums, part(a, b, ab),
+                                             std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
 }
 
 template <int dim, class T, class... F>
@@ -143,21 +203,20 @@ IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector
 }
 
 /// Adds to `sums` what the neighbours of particle i from one source contribute, node by node.
-template <class S, class ListB, class... N, class A, class ListA, class Adds, int dim, class Real, int width,
+template <class S, class ListB, class... N, class A, class ListA, class Adds, class Own, int dim, class Real, int width,
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
-                          const PhaseState<A, ListA, dim, Real>& state, const SourceData<dim, Real>& source,
-                          const typename S::B& material_b, const Vector<double, dim>& gravity, int i,
+                          const PhaseState<A, ListA, dim, Real>& state, const Own& a,
+                          const SourceData<dim, Real>& source, const typename S::B& material_b, int i,
                           const PartTuple& parts) {
     using T = Pack<Real, width>;
     using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
     const T outside(static_cast<Real>(1.0001 * source.support * source.support));
-    [[maybe_unused]] const T lanes = lane_numbers<Real, width>();
     constexpr int place_a = component_offset<dim, Place, ListA>, place_b = component_offset<dim, Place, ListB>;
     Pair<dim, T> ab;
     ab.support_radius = T(static_cast<Real>(source.support));
     ab.inverse_support = T(static_cast<Real>(1 / source.support));
-    ab.gravity_now = gravity;
+    ab.gravity_now = a.gravity_now;
     Real here[dim];
     for (int d = 0; d < dim; ++d)
         here[d] = state.column(place_a + d)[i];
@@ -166,21 +225,24 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
             if (source.periodic->length[d] > 0)
                 here[d] = search::into_period(here[d], static_cast<Real>(source.periodic->lower[d]),
                                               static_cast<Real>(source.periodic->length[d]));
+    // Where it is as seen through each periodic image; without periodic sides that is one place.
+    Real places[search::image_count<dim>][dim];
+    for (int image = 0; image < source.image_number; ++image)
+        for (int d = 0; d < dim; ++d)
+            places[image][d] = here[d] - source.images[static_cast<std::size_t>(image)][d];
 
     for (const search::Run run : (*source.runs)[i]) {
-        const Vector<Real, dim>& image = source.images[run.shift];
-        T distance2(0);
-        for (int d = 0; d < dim; ++d) {
-            ab.offset[d] = T(here[d] - image[d]) -
-                           T::load(source.data + static_cast<std::size_t>(place_b + d) * source.stride + run.first);
-            distance2 += sq(ab.offset[d]);
-        }
+        const Real* const place = places[run.shift];
+        for (int d = 0; d < dim; ++d)
+            ab.offset[d] =
+                T(place[d]) - T::load(source.data + static_cast<std::size_t>(place_b + d) * source.stride + run.first);
+        T distance2 = squared_norm(ab.offset);
         if constexpr (width > 1) // what is beyond the run's count is put where every kernel is zero
-            distance2 = select(lanes < T(static_cast<Real>(run.count)), distance2, outside);
+            distance2 = select_first(run.count, distance2, outside);
         ab.distance = sqrt(distance2);
         for (T& c : sums.central)
             c = T(0);
-        (add_run<N, ListA, ListB>(std::get<k>(parts), sums, state, source, material_b, ab, i, run), ...);
+        (add_run<N, ListB>(std::get<k>(parts), sums, a, source, material_b, ab, run), ...);
         multiply_out(sums, ab.offset);
     }
 }
