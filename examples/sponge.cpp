@@ -23,7 +23,9 @@ int main(int argc, char** argv) {
     sph::example::add_method_options(app, composition, precision);
     sph::example::add_case_options(app, numbers);
     app.add_option("--end", end, "end time, s")->capture_default_str();
-    app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")->capture_default_str();
+    app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
     app.add_option("--checkpoints", output.checkpoint_interval, "wall time between checkpoints, s")
         ->check(CLI::NonNegativeNumber)
@@ -34,10 +36,13 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     if (quick) {
+        const auto unless_given = [&](const char* option, double& value, double quick_value) {
+            value = app.count(option) > 0 ? value : quick_value;
+        };
         numbers.strip = true;
-        numbers.pool = 14e-3;
-        numbers.pore_radius = 2e-3;
-        numbers.water_spacing = 0.875e-3; // eight to the period of 7 mm
+        unless_given("--pool", numbers.pool, 14e-3);
+        unless_given("--pore-radius", numbers.pore_radius, 2e-3);
+        unless_given("--water-spacing", numbers.water_spacing, 0.875e-3); // eight to the period of 7 mm
         end = app.count("--end") > 0 ? end : 0.12;
         snapshots = app.count("--snapshots") > 0 ? snapshots : 4;
     }

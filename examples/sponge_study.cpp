@@ -3,12 +3,14 @@
 //   build/sponge_study pores                          r = 0.5, 1, 1.5, 2 mm
 //   build/sponge_study support                        h = 1, 1.1, 1.2, 1.3 mm at r = 1.5 mm
 //   build/sponge_study pores --composition paper      the same with the method of the paper, mended
-//   build/sponge_study pores --strip --pool 14 --end 0.25   one row of pores: minutes instead of hours
+//   build/sponge_study pores --strip --pool 14 --water-spacing 0.7 --end 0.25   one row of pores: minutes, not hours
 //
 // Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted
 // goes on from its last checkpoint, and the two studies share the case they have in common.
 #include "support/pictures.hpp"
 #include "support/sponge_options.hpp"
+
+#include <imbibe/output/file.hpp>
 
 #include <fstream>
 
@@ -97,7 +99,9 @@ int main(int argc, char** argv) {
             output.restart =
                 says(output.folder / "running.txt", what) && std::filesystem::exists(output.folder / "checkpoint");
             std::printf("\n==== %s%s ====\n", c.name.c_str(), output.restart ? ", continued" : "");
-            std::filesystem::create_directories(output.folder);
+            sph::require_writable(output.folder);
+            if (!output.restart) // before this run says that it is the one in the folder
+                std::filesystem::remove(output.folder / "checkpoint");
             std::ofstream(output.folder / "running.txt") << what << '\n';
             const auto result = sph::example::run_sponge(composition, precision, c.numbers, end, output);
             sph::example::print_summary(c.numbers, result, output);

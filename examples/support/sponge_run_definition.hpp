@@ -58,8 +58,18 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     const DisplacementProbe<3> probe(sponge);
     const auto checkpoint = output.folder / "checkpoint";
     CheckpointNotes notes;
-    if (output.restart)
+    if (output.restart) {
+        const int sponge_at_start = sponge.size();
         notes = read_checkpoint(scene, checkpoint);
+        require(sponge.size() == sponge_at_start && notes["water at start"] == water_at_start, "the checkpoint in ",
+                output.folder.string(), " is of another case: it began with ", notes["water at start"], " water and ",
+                sponge.size(), " sponge particles, this one with ", water_at_start, " and ", sponge_at_start,
+                "; give the same options as before, besides --restart");
+    } else {
+        std::error_code none_there; // a checkpoint of an earlier run must not be taken for one of this
+        std::filesystem::remove(checkpoint, none_there);
+        std::filesystem::remove(checkpoint.string() + ".previous", none_there);
+    }
     const std::string report = describe(scene);
     if (!output.quiet) {
         std::printf("%s", report.c_str());
@@ -100,6 +110,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         notes = {{"peak", result.peak},
                  {"peak time", result.peak_time},
                  {"left", left},
+                 {"water at start", water_at_start},
                  {"late sum", late_sum},
                  {"late count", late_count},
                  {"rows", static_cast<double>(row_count)},
@@ -157,12 +168,17 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
             checkpoints(s, keep_notes);
         });
     } catch (const StoppedByUser&) {
-        write_checkpoint(scene, checkpoint, keep_notes());
         result.failure = "stopped by the user; --restart goes on from here";
         result.stopped = true;
+        try {
+            write_checkpoint(scene, checkpoint, keep_notes());
+        } catch (const Error& error) {
+            result.failure = std::string("stopped by the user, and no checkpoint could be written: ") + error.what();
+        }
     } catch (const Error& error) {
         result.failure = error.what();
     }
+    result.drained = below();
     result.end = scene.time();
     result.steps = scene.steps();
     result.wall_seconds = progress.wall_seconds();

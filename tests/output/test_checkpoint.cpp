@@ -81,14 +81,14 @@ TEMPLATE_TEST_CASE("A restarted run is the uninterrupted one, bit by bit", "[che
     auto whole = make<TestType>();
     run(whole, 80);
     sph::write_checkpoint(whole, path, {{"rows", 17}, {"drained", 0.125}});
-    const auto at_checkpoint = bits(whole);
+    const auto whole_at_checkpoint = whole.particles();
     run(whole, 80);
 
     auto second = make<TestType>();
     const auto notes = sph::read_checkpoint(second, path);
     CHECK(notes == sph::CheckpointNotes{{"drained", 0.125}, {"rows", 17}});
     CHECK(second.steps() == 80);
-    CHECK(bits(second) == at_checkpoint);
+    CHECK(second.particles() == whole_at_checkpoint);
     run(second, 80);
     CHECK(second.time() == whole.time());
     CHECK(second.steps() == whole.steps());
@@ -157,12 +157,19 @@ TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays"
     const auto sum = sph::detail::checksum(short_one);
     short_one.append(reinterpret_cast<const char*>(&sum), sizeof sum);
     write_file(bad, short_one);
-    REQUIRE_THROWS_AS(sph::read_checkpoint(scene, bad), sph::Error);
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, bad), imbibe_test::contains("shorter than it says"));
+    REQUIRE_THROWS_AS(sph::read_checkpoint(scene, folder), sph::Error); // a folder
     CHECK((bits(scene) == before));
 
     auto in_double = make<double>();
     REQUIRE_THROWS_WITH(sph::read_checkpoint(in_double, path),
                         imbibe_test::contains("32 bits") && imbibe_test::contains("64 bits"));
+    // A scene that has gone wrong is not saved over one that had not.
+    auto lost = make<float>();
+    lost.step();
+    lost.get<Water>()[sph::position](3, 0) = std::numeric_limits<float>::quiet_NaN();
+    REQUIRE_THROWS_WITH(sph::write_checkpoint(lost, path), imbibe_test::contains("not a finite number"));
+    CHECK((output_test::content(path) == good));
     auto heavier = make<float>(1100);
     REQUIRE_THROWS_WITH(sph::read_checkpoint(heavier, path), imbibe_test::contains("density 1100"));
 }

@@ -26,8 +26,8 @@ Matrix<dim, Real> random_points(int n, unsigned seed) {
     return x;
 }
 
-/// The points of `b` nearer than `support` to row i of `a`, with the nearest image where sides of length 1 are periodic.
-/// Pairs within rounding of the support are left out here and below.
+/// The points of `b` nearer than `support` to row i of `a`, with the nearest image where sides of length 1 are
+/// periodic. Pairs within rounding of the support are left out here and below.
 template <int dim, class Real>
 std::set<int> all_pairs(const Matrix<dim, Real>& a, int i, const Matrix<dim, Real>& b, double support, bool periodic,
                         bool same) {
@@ -83,7 +83,8 @@ void check_against_all_pairs(bool periodic) {
         CHECK(wrong_points<dim, Real>(search, first, x, second, y, 0.23, periodic) == 0);
         CHECK(wrong_points<dim, Real>(search, second, y, first, x, 0.23, periodic) == 0);
         CHECK(search.count(second, 0) == 0);
-        x = random_points<dim, Real>(300 + 200 * round, static_cast<unsigned>(10 + round)); // others, and in other number
+        x = random_points<dim, Real>(300 + 200 * round,
+                                     static_cast<unsigned>(10 + round)); // others, and in other number
         search.move(first, x);
     }
 }
@@ -125,11 +126,26 @@ TEST_CASE("Coincident points are neighbours, a point is none of its own", "[sear
     CHECK(search.size(empty) == 0);
 }
 
+TEST_CASE("A support of 0 between two sets: nothing is near, and nothing is looked for", "[search]") {
+    NeighbourSearch<3, double> search(0.1);
+    const int set = search.add(random_points<3, double>(30, 3));
+    search.set_support(set, set, 0.2);
+    search.set_support(set, set, 0); // the last word counts
+    search.update();
+    CHECK(search.count(set, 0) == 0);
+}
+
 TEST_CASE("Neighbours of points a kilometre apart take no memory between them", "[search]") {
     NeighbourSearch<3, double> search(0.01);
     Matrix<3, double> x(4, 3);
     x << 0, 0, 0, 0.005, 0, 0, 1000, 2000, -1000, 1000.005, 2000, -1000;
     const int set = search.add(x);
+    search.update();
+    for (int i = 0; i < 4; ++i)
+        CHECK(search.count(set, i) == 1);
+    x.row(2) << 0, 1e22, 0; // and beyond all measure
+    x.row(3) << 0, 1e22, 0;
+    search.move(set, x);
     search.update();
     for (int i = 0; i < 4; ++i)
         CHECK(search.count(set, i) == 1);
@@ -141,6 +157,8 @@ TEST_CASE("Bad input to the neighbour search is refused by name", "[search]") {
         CHECK_THROWS_WITH((NeighbourSearch<2, double>(bad)), imbibe_test::contains("support"));
     Periodic<2> sides;
     sides.length[1] = 0.05;
+    CHECK_THROWS_WITH((NeighbourSearch<2, double>(0.1, sides)), imbibe_test::contains("period"));
+    sides.length[1] = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH((NeighbourSearch<2, double>(0.1, sides)), imbibe_test::contains("period"));
 
     NeighbourSearch<2, double> search(0.1);

@@ -364,6 +364,8 @@ TEST_CASE("Bad materials and points leave the scene as it was", "[scene]") {
     const auto handle = scene.add(drop, points, 0.125);
     REQUIRE_THROWS_WITH(scene.add(drop, points, 0.1), imbibe_test::contains("spacing"));
     REQUIRE_THROWS_AS(scene.add(drop, {{0, 0, nan}}, 0.125), sph::Error);
+    // Two ends of a period are one place.
+    REQUIRE_THROWS_WITH(scene.add(drop, {{0, 2, 0}, {1, 2, 0}}, 0.125), imbibe_test::contains("coincide"));
     Drop light = drop;
     light.density = 500;
     REQUIRE_THROWS_WITH(scene.add(light, {{0, 1, 0}}, 0.125), imbibe_test::contains("500 kg/m^3 now"));

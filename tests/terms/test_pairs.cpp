@@ -104,9 +104,12 @@ void check_packs() {
                 REQUIRE(one.size() == many.size());
                 size = std::max(size, greatest(one));
                 // Near the rim of the support a kernel is (1 - q)^n: an error of the last bit in q weighs n/(1 - q).
-                const double room = std::max(1 - static_cast<double>(Real(ab1.distance)) / H, 0.0);
+                const double room = 1 - static_cast<double>(Real(ab1.distance)) / H;
                 for (std::size_t i = 0; i < one.size(); ++i)
-                    error = std::max(error, room * std::abs(one[i] - many[i]) / std::max(greatest(one), 1e-300));
+                    if (room > 1e-4)
+                        error = std::max(error, room * std::abs(one[i] - many[i]) / std::max(greatest(one), 1e-300));
+                    else if (room < -1e-4)
+                        REQUIRE((one[i] == 0 && many[i] == 0));
             }
         }
         CHECK(size > 0);

@@ -63,8 +63,8 @@ double share_in_the_sponge(const Water& water, const Sponge& sponge, const Spong
 struct Seen {
     std::vector<double> times, displacement, drained; ///< s, m, share of the water
     double peak = 0, late_mean = 0;                   ///< m; the first peak, and the mean over the last 40 %
-    double off_density = 0;   ///< the greatest share of the water, at any moment, off by over 2 % in density
-    double in_the_sponge = 0; ///< the greatest share nearer than half a spacing to the sponge
+    double off_density = 0;      ///< the greatest share of the water, at any moment, off by over 2 % in density
+    double in_the_sponge = 0;    ///< the greatest share nearer than half a spacing to the sponge
     double beyond_the_walls = 0; ///< how far water was outside the tank, m
     int lost = 0;                ///< particles neither in the scene nor drained
 };
@@ -79,32 +79,36 @@ Seen run(const SpongeCase& c, double end) {
     const int start = water.size();
     int left = 0, late = 0;
     Seen seen;
-    scene.run_until(end, [&](auto& s) {
-        if (s.steps() % 20 == 0)
-            left += s.remove_if(sph::PhaseHandle<Water>{}, [&](const auto& x) { return x[2] < -c.drain; });
-    }, sph::every(2.5e-3, [&](const auto& s) {
-        const auto x = water[sph::position];
-        const auto rho = water[sph::density];
-        int below = left, off = 0;
-        for (int i = 0; i < water.size(); ++i) {
-            below += x(i, 2) < 0;
-            off += std::abs(double(rho(i)) / 1000 - 1) > 0.02;
-            if (x(i, 2) > -c.drain + 2 * c.water_spacing) // the walls end where the water leaves
-                seen.beyond_the_walls = std::max({seen.beyond_the_walls, -double(x(i, 0)), double(x(i, 0)) - c.length()});
-        }
-        const double mean = probe.mean(sponge);
-        seen.times.push_back(s.time());
-        seen.displacement.push_back(mean);
-        seen.drained.push_back(double(below) / start);
-        seen.off_density = std::max(seen.off_density, double(off) / water.size());
-        seen.in_the_sponge = std::max(seen.in_the_sponge, share_in_the_sponge(water, sponge, c));
-        if (s.time() < 0.055)
-            seen.peak = std::max(seen.peak, mean);
-        if (s.time() > 0.6 * end) {
-            seen.late_mean += mean;
-            ++late;
-        }
-    }));
+    scene.run_until(
+        end,
+        [&](auto& s) {
+            if (s.steps() % 20 == 0)
+                left += s.remove_if(sph::PhaseHandle<Water>{}, [&](const auto& x) { return x[2] < -c.drain; });
+        },
+        sph::every(2.5e-3, [&](const auto& s) {
+            const auto x = water[sph::position];
+            const auto rho = water[sph::density];
+            int below = left, off = 0;
+            for (int i = 0; i < water.size(); ++i) {
+                below += x(i, 2) < 0;
+                off += std::abs(double(rho(i)) / 1000 - 1) > 0.02;
+                if (x(i, 2) > -c.drain + 2 * c.water_spacing) // the walls end where the water leaves
+                    seen.beyond_the_walls =
+                        std::max({seen.beyond_the_walls, -double(x(i, 0)), double(x(i, 0)) - c.length()});
+            }
+            const double mean = probe.mean(sponge);
+            seen.times.push_back(s.time());
+            seen.displacement.push_back(mean);
+            seen.drained.push_back(double(below) / start);
+            seen.off_density = std::max(seen.off_density, double(off) / water.size());
+            seen.in_the_sponge = std::max(seen.in_the_sponge, share_in_the_sponge(water, sponge, c));
+            if (s.time() < 0.055)
+                seen.peak = std::max(seen.peak, mean);
+            if (s.time() > 0.6 * end) {
+                seen.late_mean += mean;
+                ++late;
+            }
+        }));
     seen.late_mean /= std::max(late, 1);
     seen.lost = start - left - water.size();
     return seen;
@@ -166,7 +170,8 @@ TEST_CASE("The sponge on a strip, sound composition", "[sponge]") {
         const Seen seen = runs[r] = run<SoundSponge>(strip(r * 1e-3), to_the_end ? 0.25 : 0.1);
         CAPTURE(r);
         CHECK(seen.lost == 0);
-        CHECK(seen.beyond_the_walls < 0.1 * strip(0).water_spacing); // of the half that the walls' first particles lie back
+        CHECK(seen.beyond_the_walls <
+              0.1 * strip(0).water_spacing); // of the half that the walls' first particles lie back
         CHECK(seen.in_the_sponge <= 1e-3);
         CHECK(seen.off_density <= 0.05); // all in the first instant of the impact, when pressure is that of sound
     }
@@ -206,6 +211,7 @@ TEST_CASE("The dry sponge hangs as plate theory says", "[sponge]") {
         const double sag = dry_sag(sponge, c, scene);
         const double theory = plate_sag(sponge.young_modulus(), sponge.poisson_ratio(), 950, c);
         CAPTURE(scene.time());
-        CHECK(sag == Approx(theory).epsilon(0.4));
+        CHECK(sag > theory);       // the hypoelastic plate with few neighbours is too soft,
+        CHECK(sag < 1.4 * theory); // by some 30 % in our prototype
     }
 }

@@ -23,7 +23,8 @@ namespace imbibe {
 struct KernelRepulsionParameters {
     /// K_f, Pa. The force is that of a pressure of this size on overlapping kernels.
     double stiffness = 1e8;
-    /// How far the repulsion reaches, in means of the two particle spacings; 0: the support radius, as in the paper.
+    /// How far the repulsion reaches, in means of the two particle spacings, at most the support radius; 0: the support
+    /// radius, as in the paper.
     /// With 0.7 only particles that have come out of order are pushed back, and where they are not, nothing changes.
     double range = 0;
 
@@ -46,9 +47,9 @@ struct KernelRepulsionParameters {
 /// stays what it is while its particles come nearer and nearer to the surface, and in the end sink in. In the scene of
 /// the sponge 0.7 spacings keep them out, at any K_f from 1e3 to 1e5 Pa with the same outcome.
 ///
-/// Not with the full range for a contact that should be accurate: the gap it leaves is near the support radius (0.93 H in the paper's
-/// scene), it depends on K_f and H, and energy goes in and out of it in each impact. Not with a kernel whose slope
-/// vanishes at the centre: what has come through is held there.
+/// Not with the full range for a contact that should be accurate: the gap it leaves is near the support radius (0.93 H
+/// in the paper's scene), it depends on K_f and H, and energy goes in and out of it in each impact. Not with a kernel
+/// whose slope vanishes at the centre: what has come through is held there.
 ///
 /// Source: the paper, Eq. (24), with two slips mended: the printed sign attracts, and it belongs to the force, Eq.
 /// (23), not to the density, Eq. (22).
@@ -64,8 +65,8 @@ struct KernelRepulsion {
         auto pair = ab;
         if (parameters.range > 0) {
             const double reach = parameters.range * 0.5 * (a.material.spacing + b.material.spacing);
-            pair.support_radius = T(reach);
-            pair.inverse_support = T(1 / max(reach, 1e-30));
+            pair.support_radius = min(ab.support_radius, T(reach)); // pairs further apart than that are not looked at
+            pair.inverse_support = max(ab.inverse_support, T(1 / max(reach, 1e-30)));
         }
         return along(ab, -(parameters.stiffness * b[mass] / (a[density] * b[density])) * pair.gradient(Kernel{}));
     }
@@ -84,8 +85,8 @@ struct KernelRepulsion {
         const double energy = 0.5 * std::max(mass_a, mass_b) * sq(in.max_speed + in.other_max_speed);
         const double normalisation =
             in.dimension == 2 ? Kernel::template normalisation<2>() : Kernel::template normalisation<3>();
-        const double reach =
-            parameters.range > 0 ? parameters.range * 0.5 * (in.spacing + in.other_spacing) : in.support_radius;
+        const double own = parameters.range * 0.5 * (in.spacing + in.other_spacing);
+        const double reach = own > 0 ? std::min(own, in.support_radius) : in.support_radius;
         const double scale = parameters.stiffness * volume_a * volume_b * normalisation / std::pow(reach, in.dimension);
         const double k = scale / sq(reach) * greatest_curvature(energy / scale);
         const double reduced_mass = mass_a * mass_b / (mass_a + mass_b);

@@ -6,7 +6,8 @@
 namespace imbibe {
 
 /// Remembers where the particles of a phase are, by number, and measures from there; for any solid, total Lagrangian
-/// or not. Not for phases from which particles are removed and to which others are added.
+/// or not. Not for phases from which particles are removed and to which others are added. Throws Error where a particle
+/// was not there at the start.
 template <int dim>
 class DisplacementProbe {
 public:
@@ -42,9 +43,12 @@ private:
     template <class View, class F>
     void each(const View& phase, const F& f) const {
         const auto x = phase[position];
+        require(phase.size() == static_cast<int>(start.size()), "displacements are measured from ", start.size(),
+                " particles, but there are ", phase.size(),
+                " now; make the probe anew when particles were added or removed");
         for (int i = 0; i < phase.size(); ++i)
             f(Eigen::Matrix<double, dim, 1>(x.row(i).transpose().template cast<double>() -
-                                            start[phase.ids()[static_cast<std::size_t>(i)]]));
+                                            start.at(phase.ids()[static_cast<std::size_t>(i)])));
     }
     std::vector<Eigen::Matrix<double, dim, 1>> start;
 };

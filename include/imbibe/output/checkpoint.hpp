@@ -68,14 +68,24 @@ struct CheckpointReader {
     template <class T>
     void array(T* values, std::size_t count) {
         need(count, sizeof(T));
+        if (count == 0)
+            return;
         std::memcpy(values, bytes.data(), count * sizeof(T));
         bytes.remove_prefix(count * sizeof(T));
     }
     void need(std::uint64_t count, std::uint64_t size_of_each) const {
-        require(size_of_each == 0 || count <= bytes.size() / size_of_each, "checkpoint ", where,
+        require(count <= bytes.size() / size_of_each, "checkpoint ", where,
                 ": it is shorter than it says; take the one before it");
     }
 };
+
+/// A list of terms as the compiler prints it.
+template <class List>
+std::string list_name() {
+    const std::string_view all = __PRETTY_FUNCTION__;
+    const auto begin = all.find("List = ") + 7;
+    return std::string(all.substr(begin, all.find_first_of(";]", begin) - begin));
+}
 
 /// What must be the same in the scene that wrote a checkpoint and in the one that reads it, as lines of text.
 template <class Scene>
@@ -92,8 +102,11 @@ std::string checkpoint_head(const Scene& scene) {
             ((out << ' ' << F::name << '(' << components(F::rank, Scene::dimension) << ')'), ...);
         };
         name(typename Scene::template FieldsOf<P>{});
-        out << '\n';
+        out << "\nterms of " << type_name<P>() << ": " << list_name<typename P::terms>() << '\n';
     });
+    for (std::size_t d = 0; d < Scene::dimension; ++d)
+        out << "direction " << d << ": origin " << scene.settings().origin[d] << " m, periodic from "
+            << scene.settings().periodic_lower[d] << " m over " << scene.settings().periodic_length[d] << " m\n";
     out << end_of_checkpoint_head;
     return out.str();
 }
@@ -120,10 +133,11 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
 /// The file is written beside its place, forced to the disk and then given its name in one step: whenever the program
 /// ends, there is a whole checkpoint. It begins with a readable description of the scene and ends with a checksum.
 /// @param notes numbers of the program that go along
-/// @throws Error when the disk refuses it; the earlier checkpoints stay
+/// @throws Error when the disk refuses it, or when a coordinate is not a finite number; the earlier checkpoints stay
 template <class Scene>
 void write_checkpoint(Scene& scene, const std::filesystem::path& path, const CheckpointNotes& notes = {}) {
     scene.prepare();
+    scene.require_finite("nothing is written to " + path.string() + ", what is there stays: ");
     detail::CheckpointWriter state;
     state.bytes = detail::checkpoint_head(scene);
     state(static_cast<std::uint64_t>(notes.size()));
@@ -137,21 +151,29 @@ void write_checkpoint(Scene& scene, const std::filesystem::path& path, const Che
     AtomicFile file(path);
     file.write(state.bytes.data(), state.bytes.size());
     file.commit_to_disk([&] {
-        std::error_code none_before;
-        std::filesystem::rename(path, path.string() + ".previous", none_before);
+        std::error_code ignored; // where there was none before, or no second name is possible
+        std::filesystem::remove(path.string() + ".previous", ignored);
+        std::filesystem::create_hard_link(path, path.string() + ".previous", ignored);
+        if (ignored)
+            std::filesystem::copy_file(path, path.string() + ".previous", ignored);
     });
 }
 
 /// Brings a scene to the state in a checkpoint. The scene must be made as it was for the run that wrote it: the same
-/// composition, number type and materials, with its phases added; how many particles they have does not matter, and
-/// coefficients and settings are those of this scene. The run then goes on to the same bits as if it had not stopped.
+/// composition, number type, densities, spacings, supports, origin and periods, with its phases added; how many
+/// particles they have does not matter. Other numbers of materials, coefficients and settings are those of this scene.
+/// The run then goes on to the same bits as if it had not stopped.
 /// @return the numbers the program gave along
 /// @throws Error, with the scene as it was, for a file that is missing, cut off, damaged, or of another scene; it names
 /// the difference
 template <class Scene>
 CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
-    require(in.is_open(), "checkpoint ", path.string(), ": there is no such file, or it may not be read");
+    require(in.is_open() && !std::filesystem::is_directory(path), "checkpoint ", path.string(),
+            ": there is no such file, or it may not be read",
+            std::filesystem::exists(path.string() + ".previous")
+                ? "; the one before it is there, with the ending .previous"
+                : "");
     const std::string all{std::istreambuf_iterator<char>(in), {}};
     require(all.starts_with(detail::checkpoint_title), "checkpoint ", path.string(),
             ": it does not begin as a checkpoint of this version does (", detail::checkpoint_title.substr(0, 19), ")");
@@ -199,12 +221,16 @@ public:
     }
     template <class Scene>
     void operator()(Scene& scene) {
-        write_if_due(scene, CheckpointNotes{});
+        (*this)(scene, [] { return CheckpointNotes{}; });
     }
     /// The same with the program's own numbers, which `notes()` returns. True if a checkpoint was written.
     template <class Scene, class Notes>
     bool operator()(Scene& scene, const Notes& notes) {
-        return write_if_due(scene, notes);
+        if (std::chrono::duration<double>(Clock::now() - written_).count() < seconds_)
+            return false;
+        write_checkpoint(scene, path_, notes());
+        written_ = Clock::now();
+        return true;
     }
 
 private:
@@ -212,18 +238,6 @@ private:
     std::filesystem::path path_;
     double seconds_;
     Clock::time_point written_ = Clock::now();
-
-    template <class Scene, class Notes>
-    bool write_if_due(Scene& scene, const Notes& notes) {
-        if (std::chrono::duration<double>(Clock::now() - written_).count() < seconds_)
-            return false;
-        if constexpr (requires { notes(); })
-            write_checkpoint(scene, path_, notes());
-        else
-            write_checkpoint(scene, path_, notes);
-        written_ = Clock::now();
-        return true;
-    }
 };
 
 } // namespace imbibe

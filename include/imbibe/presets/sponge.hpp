@@ -55,7 +55,7 @@ struct PaperSponge {
     static Scene<Real> make(SpongeCase c) {
         c.check();
         if (c.time_step == 0)
-            c.time_step = 1e-5; // the paper's
+            c.time_step = 1e-5;        // the paper's
         c.wall_gap = c.support_radius; // the distance at which K_f lets water come to rest
         Scene<Real> scene(c.settings(c.support_radius));
         scene.add(Water{{.density = 1000, .sound_speed = 30, .viscosity = c.viscosity}}, c.water(), c.water_spacing);
@@ -74,9 +74,10 @@ struct PaperSponge {
 
 /// The same scene with schemes that converge: Wendland C2 with 2.6 spacings of support, density diffusion, the
 /// volume-based pressure, walls and sponge as one kind of obstacle to the water, to which its pressure is continued
-/// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, and a total-Lagrangian St. Venant-Kirchhoff sponge with corrected
-/// gradients and hourglass control. Sound speed: ten times the speed of the fall. The sponge has a support of its own,
-/// 2 spacings: with 2.6 a plate of nine layers swings 5 % too fast, and costs twice as much.
+/// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, and a total-Lagrangian
+/// St. Venant-Kirchhoff sponge with corrected gradients and hourglass control. Sound speed: ten times the speed of the
+/// fall. The sponge has a support of its own, 2 spacings: with 2.6 a plate of nine layers swings 5 % too fast, and
+/// costs twice as much.
 struct SoundSponge {
     static constexpr const char* name = "sound";
     using K = WendlandC2;

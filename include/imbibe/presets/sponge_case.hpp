@@ -11,27 +11,27 @@ namespace imbibe::presets {
 
 /// The numbers of the scene, in SI units. The defaults are the paper's first case.
 struct SpongeCase {
-    double pore_radius = 1e-3;     ///< m
-    double support_radius = 1e-3;  ///< H, m (`PaperSponge`)
-    double support_ratio = 2.6;    ///< H of the water in spacings (`SoundSponge`); the sponge's is 2/2.6 of it
-    double water_spacing = 0.8e-3; ///< m
-    double solid_spacing = 0.5e-3; ///< m
-    double gap = 4.5e-3;           ///< between the lowest water particles and the highest of the sponge, m
-    double gravity = 9.8;          ///< m/s^2
-    double viscosity = 3.5e-3;     ///< of the water, Pa s
-    double shear_modulus = 1e6;    ///< of the sponge (`PaperSponge`), Pa; the printed 2e-6 Pa would be a liquid
-    double young_modulus = 7e4;    ///< of the sponge (`SoundSponge`), Pa
-    double poisson_ratio = 0.3;    ///< of the sponge (`SoundSponge`)
-    double stiffness = 1e8;        ///< K_f (`PaperSponge`), Pa
-    double artificial_stress = 0;  ///< epsilon of Eq. (17) (`PaperSponge`)
+    double pore_radius = 1e-3;       ///< m
+    double support_radius = 1e-3;    ///< H, m (`PaperSponge`)
+    double support_ratio = 2.6;      ///< H of the water in spacings (`SoundSponge`); the sponge's is 2/2.6 of it
+    double water_spacing = 0.8e-3;   ///< m
+    double solid_spacing = 0.5e-3;   ///< m
+    double gap = 4.5e-3;             ///< between the lowest water particles and the highest of the sponge, m
+    double gravity = 9.8;            ///< m/s^2
+    double viscosity = 3.5e-3;       ///< of the water, Pa s
+    double shear_modulus = 1e6;      ///< of the sponge (`PaperSponge`), Pa; the printed 2e-6 Pa would be a liquid
+    double young_modulus = 7e4;      ///< of the sponge (`SoundSponge`), Pa
+    double poisson_ratio = 0.3;      ///< of the sponge (`SoundSponge`)
+    double stiffness = 1e8;          ///< K_f (`PaperSponge`), Pa
+    double artificial_stress = 0;    ///< epsilon of Eq. (17) (`PaperSponge`)
     double artificial_viscosity = 1; ///< alpha of Eq. (16) (`PaperSponge`)
-    double time_step = 0;          ///< s; 0: the composition's own choice
-    double cfl = 0.75;             ///< share of the shortest time step limit that an adaptive step takes
-    double drain = 30e-3;          ///< how far below the slab water leaves the scene, m
-    bool strip = false;            ///< one row of pores, periodic in y, instead of five rows in a tank
-    double pool = 0;               ///< m; above 0: water that fills the tank to this height instead of the paper's block
-    double wall_gap = 0;           ///< between a pool and the walls, m; `PaperSponge` needs a support radius (K_f)
-    int threads = 0;               ///< 0: all of the machine
+    double time_step = 0;            ///< s; 0: the composition's own choice
+    double cfl = 0.75;               ///< share of the shortest time step limit that an adaptive step takes
+    double drain = 30e-3;            ///< how far below the slab water leaves the scene, m
+    bool strip = false;              ///< one row of pores, periodic in y, instead of five rows in a tank
+    double pool = 0;     ///< m; above 0: water that fills the tank to this height instead of the paper's block
+    double wall_gap = 0; ///< between a pool and the walls, m; `PaperSponge` needs a support radius (K_f)
+    int threads = 0;     ///< 0: all of the machine
 
     int rows() const { return strip ? 1 : 5; }
     double length() const { return 35e-3; }
@@ -67,7 +67,12 @@ struct SpongeCase {
                 "; it must be above -1 and below 0.5");
         require(solid_spacing <= thickness() / 2, "solid spacing = ", solid_spacing,
                 " m; it must be at most 2e-3 m, half the thickness of the slab");
-        require(pool >= 0 && pool < 1, "height of the pool = ", pool, " m; it must be from 0 (the paper's block) to 1 m");
+        const double rows_across = width() / water_spacing;
+        require(!strip || std::abs(rows_across - std::round(rows_across)) < 1e-3 * rows_across,
+                "water spacing = ", water_spacing, " m; on a strip, which is periodic, it must divide its width of ",
+                width(), " m, as 0.7e-3 and 0.875e-3 m do");
+        require(pool >= 0 && pool < 1, "height of the pool = ", pool,
+                " m; it must be from 0 (the paper's block) to 1 m");
     }
     std::vector<Point<3>> water() const {
         if (pool > 0 || strip) {
@@ -75,7 +80,8 @@ struct SpongeCase {
             const Box<3> box{{wall_gap, across, low}, {length() - wall_gap, width() - across, low + water_height()}};
             return fill(box, water_spacing);
         }
-        const double side = 31 * water_spacing, x = length() / 2, y = width() / 2, z = water_bottom() - water_spacing / 2;
+        const double side = 31 * water_spacing, x = length() / 2, y = width() / 2,
+                     z = water_bottom() - water_spacing / 2;
         const double height = std::round(block_height() / water_spacing) * water_spacing;
         return fill(Box<3>{{x - side / 2, y - side / 2, z}, {x + side / 2, y + side / 2, z + height}}, water_spacing);
     }
@@ -89,7 +95,10 @@ struct SpongeCase {
         return tank(inner, water_spacing, layers, strip ? Sides::y | Sides::z : Sides::z);
     }
     Settings<3> settings(double support) const {
-        Settings<3> s{.gravity = {0, 0, -gravity}, .support_radius = support, .cfl = cfl, .time_step = time_step,
+        Settings<3> s{.gravity = {0, 0, -gravity},
+                      .support_radius = support,
+                      .cfl = cfl,
+                      .time_step = time_step,
                       .threads = threads};
         if (strip) {
             s.periodic_lower[1] = 0;

@@ -13,7 +13,10 @@
 
 namespace imbibe::search {
 
-/// The coordinates of n particles: x[d][i], d < dim. At least one SIMD width may be read beyond the end.
+/// So many numbers behind the last particle's may be read, and must be there; what they are does not matter.
+inline constexpr std::size_t read_beyond = 64;
+
+/// The coordinates of n particles: x[d][i], d < dim, with `read_beyond` numbers behind them.
 template <int dim, class Real>
 struct Points {
     std::array<const Real*, static_cast<std::size_t>(dim)> x{};
@@ -136,9 +139,13 @@ public:
     }
     /// Number of cells along d.
     int n(int d) const { return n_[static_cast<std::size_t>(d)]; }
+    /// Where cell 0 begins along d, m.
     double lower(int d) const { return lower_[static_cast<std::size_t>(d)]; }
+    /// The width of a cell along d, m.
     double width(int d) const { return width_[static_cast<std::size_t>(d)]; }
+    /// Is d a periodic direction?
     bool wraps(int d) const { return periods.length[static_cast<std::size_t>(d)] > 0; }
+    /// The period along d, m; 0 where there is none.
     double length(int d) const { return periods.length[static_cast<std::size_t>(d)]; }
     std::size_t cells() const {
         std::size_t product = 1;
@@ -148,7 +155,8 @@ public:
     }
     /// The cell of coordinate x along d, before clamping or wrapping.
     int cell(int d, double x) const {
-        return static_cast<int>(std::floor((x - lower_[static_cast<std::size_t>(d)]) * inverse_[static_cast<std::size_t>(d)]));
+        return static_cast<int>(
+            std::floor((x - lower_[static_cast<std::size_t>(d)]) * inverse_[static_cast<std::size_t>(d)]));
     }
     /// The cell of coordinate x along d, inside the grid.
     int inside(int d, double x) const { return std::clamp(cell(d, x), 0, n(d) - 1); }

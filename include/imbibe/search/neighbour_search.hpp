@@ -18,10 +18,10 @@ namespace imbibe::search {
 
 /// Finds all pairs of points nearer to each other than a support radius, in any number of point sets.
 ///
-/// Points may be added and moved; `update` then makes the search ready again, in O(n): a counting sort into cells as
-/// wide as the support. Memory is bounded whatever the extent, there is no cap on the number of neighbours, and with
-/// periodic sides the nearest image of a neighbour is found. Every call of a const member may be made by several threads
-/// at a time.
+/// Points may be added and moved; `update` then makes the search ready again, in O(n): a counting sort into cells.
+/// Memory is bounded whatever the extent, there is no cap on the number of neighbours, and with periodic sides a
+/// neighbour is found in every image within the support: once, if the period is at least twice the support. Every call
+/// of a const member may be made by several threads at a time.
 ///
 /// Order: the neighbours of a point come in the order of the cells, not in that of their numbers; it is the same for
 /// any number of threads.
@@ -66,6 +66,7 @@ public:
         at(a), at(b);
         if (support != 0)
             check_support(support);
+        std::erase_if(own_, [&](const Own& own) { return own.between(a, b); });
         own_.push_back({a, b, support});
         ready_ = false;
     }
@@ -82,13 +83,13 @@ public:
                 auto& sorted = s.sorted[static_cast<std::size_t>(d)];
                 sorted = s.given[static_cast<std::size_t>(d)];
                 wrap(sorted, d);
-                sorted.resize(static_cast<std::size_t>(s.n) + padding);
+                sorted.resize(static_cast<std::size_t>(s.n) + read_beyond);
             }
             if (s.n == 0)
                 continue;
             const Bounds<dim> bounds = bounds_of(s.points(), threads_);
-            require(bounds.not_finite < 0, "a coordinate of point ", bounds.not_finite, " of set ", k,
-                    " is not a finite number, or is beyond 1e30 m");
+            if (bounds.not_finite >= 0)
+                throw_not_finite(s, k, static_cast<std::size_t>(bounds.not_finite));
             all.include(bounds);
             points += s.n;
             for (std::size_t other = 0; other < sets_.size(); ++other)
@@ -106,26 +107,30 @@ public:
         ready_ = true;
     }
 
+    /// How many sets there are.
     int set_count() const { return static_cast<int>(sets_.size()); }
+    /// How many points a set has.
     int size(int set) const { return at(set).n; }
+    /// The support radius between two sets, m.
     double support_of(int a, int b) const {
-        double support = support_;
         for (const Own& own : own_)
-            if ((own.a == a && own.b == b) || (own.a == b && own.b == a))
-                support = own.support;
-        return support;
+            if (own.between(a, b))
+                return own.support;
+        return support_;
     }
 
     /// Calls f(j, offset, distance) for every point j of set b nearer to point i of set a than their support; `offset`
-    /// is the vector from j, or from its nearest image, to i, m. Within one set the point itself is left out, other
+    /// is the vector to i from j, or from the image of j, m. Within one set the point itself is left out, other
     /// points in the same place are not.
     template <class F>
     void for_each(int a, int i, int b, const F& f) const {
         require(ready_, "call update() after points were added or moved, before asking for neighbours");
         const Set &targets = at(a), &sources = at(b);
         require(i >= 0 && i < targets.n, "point ", i, " of set ", a, "; it must be from 0 to ", targets.n - 1);
-        const auto rank = targets.rank[static_cast<std::size_t>(i)];
         const Real support = static_cast<Real>(support_of(a, b)), support2 = support * support;
+        if (support == 0)
+            return;
+        const auto rank = targets.rank[static_cast<std::size_t>(i)];
         for (const Run run : lists_[list_number(a, b)][static_cast<int>(rank)])
             for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
                 Eigen::Matrix<Real, dim, 1> offset;
@@ -154,9 +159,6 @@ public:
     int count(int set, int i) const { return count(set, i, set); }
 
 private:
-    // find_runs compares whole packs, and up to two of the longest runs beyond the last point.
-    static constexpr std::size_t padding = 64;
-
     struct Set {
         using Columns = std::array<std::vector<Real>, static_cast<std::size_t>(dim)>;
         int n = 0;
@@ -192,6 +194,8 @@ private:
     struct Own {
         int a, b;
         double support;
+
+        bool between(int x, int y) const { return (a == x && b == y) || (a == y && b == x); }
     };
 
     double support_;
@@ -213,10 +217,20 @@ private:
         return static_cast<std::size_t>(a) * sets_.size() + static_cast<std::size_t>(b);
     }
     void check_support(double support) const {
-        require(std::isfinite(support) && support > 0, "support = ", support, " m; it must be a finite number above 0 m");
+        require(std::isfinite(support) && support > 0, "support = ", support,
+                " m; it must be a finite number above 0 m");
+        for (double lower : periodic_.lower)
+            require(std::isfinite(lower), "a periodic side that begins at ", lower, " m; that must be a finite number");
         for (double length : periodic_.length)
-            require(length == 0 || length >= support, "a period of ", length, " m; it must be 0 (not periodic) or at ",
-                    "least the support, ", support, " m");
+            require(std::isfinite(length) && (length == 0 || length >= support), "a period of ", length,
+                    " m; it must be 0 (not periodic) or a finite number not below the support, ", support, " m");
+    }
+    [[noreturn]] void throw_not_finite(const Set& s, std::size_t set, std::size_t point) const {
+        std::size_t d = 0;
+        while (d + 1 < dim && std::abs(s.given[d][point]) < Real(1e30))
+            ++d;
+        throw Error(text("coordinate ", d, " of point ", point, " of set ", set, " is ", s.given[d][point],
+                         " m; coordinates must be finite numbers between -1e30 and 1e30 m"));
     }
     void wrap(std::vector<Real>& x, int d) const {
         const auto axis = static_cast<std::size_t>(d);

@@ -29,8 +29,8 @@ namespace detail {
 // the usual length is compared as a whole and its first runs are written whether they are there or not.
 template <int width, int dim, class Real>
 IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cast<std::size_t>(dim)>& sources,
-                               const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2, std::uint32_t begin,
-                               std::uint32_t end, std::uint32_t stop, int image) {
+                               const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2,
+                               std::uint32_t begin, std::uint32_t end, std::uint32_t stop, int image) {
     using T = Pack<Real, width>;
     constexpr std::uint32_t usual = 32, lanes = static_cast<std::uint32_t>(width);
     constexpr std::uint64_t one_run = (std::uint64_t(1) << lanes) - 1;
@@ -50,7 +50,7 @@ IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cas
         const auto skip = static_cast<std::uint32_t>(std::countr_zero(hits));
         const std::uint32_t first = begin + skip;
         const std::uint32_t count = std::min(lanes, stop - first);
-        *to = std::bit_cast<Run>(first | static_cast<std::uint64_t>(count | static_cast<std::uint32_t>(image) << 16) << 32);
+        *to = {first, static_cast<std::uint16_t>(count), static_cast<std::uint16_t>(image)};
         to += hits != 0;
         hits &= ~(one_run << (skip & 63));
     };
@@ -100,7 +100,8 @@ struct RowsAround {
                 continue;
             const auto k = static_cast<std::size_t>(r);
             first_cell[k] = (static_cast<std::uint32_t>(cell_z) * static_cast<std::uint32_t>(grid.n(1)) +
-                             static_cast<std::uint32_t>(cell_y)) * n;
+                             static_cast<std::uint32_t>(cell_y)) *
+                            n;
             image[k] = 3 * image_y + 9 * image_z;
             const bool holds_some = table.start(first_cell[k]) != table.start(first_cell[k] + n);
             cells[k] = holds_some ? grid.n(0) : 0;
@@ -119,13 +120,16 @@ struct Reach {
     /// @param x where the particle stands in its own cell, from 0 to 1
     /// @param below,above the distances along y and z to the rows below and above, in cells along x
     /// @param support in cells along x
-    IMBIBE_INLINE Reach(double x, const std::array<double, 2>& below, const std::array<double, 2>& above, double support) {
+    IMBIBE_INLINE Reach(double x, const std::array<double, 2>& below, const std::array<double, 2>& above,
+                        double support) {
         // In float: the numbers are small, and what rounding could lose the slack gives back. The bias makes them
         // positive, so that truncation is downwards.
         using T = Pack<float, native_width<float>>;
         constexpr float bias = 64, slack = 1e-4f;
         static constexpr Weights weights;
-        const T room2(sq(support) * (1 + 1e-5)), y0(sq(below[0])), y1(sq(above[0])), z0(sq(below[1])), z1(sq(above[1]));
+        const auto square = [](double gap) { return sq(std::min(gap, 1e9)); }; // not infinite in float
+        const T room2(sq(support) * (1 + 1e-5)), y0(square(below[0])), y1(square(above[0])), z0(square(below[1])),
+            z1(square(above[1]));
         for (int r = 0; r < RowsAround<dim>::room; r += T::size) {
             const T rest = room2 - T::load(weights.y_below + r) * y0 - T::load(weights.y_above + r) * y1 -
                            T::load(weights.z_below + r) * z0 - T::load(weights.z_above + r) * z1;
@@ -191,7 +195,7 @@ struct Stretches {
             for (std::size_t r = 0; r < RowsAround<dim>::count; ++r) {
                 const int n = rows.cells[r], low = own + reach.low[r], high = own + reach.high[r];
                 const auto across = [&](int first, int last, int image) {
-                    if (first >= last || last > n)
+                    if (first >= last)
                         return;
                     add(table.start(rows.first_cell[r] + static_cast<std::uint32_t>(first)),
                         table.start(rows.first_cell[r] + static_cast<std::uint32_t>(last)), rows.image[r] + image);
@@ -225,8 +229,8 @@ Run* append_long_stretch(Run* to, const std::array<const Real*, static_cast<std:
 /// (those of a total-Lagrangian phase are not wrapped) are moved into it first, so the images of their runs are those
 /// seen from there; the pair loop does the same.
 template <int width, int dim, class Real>
-void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim, Real>& sources,
-               const Grid<dim>& grid, const CellTable& table, double support, int threads) {
+void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim, Real>& sources, const Grid<dim>& grid,
+               const CellTable& table, double support, int threads) {
     list.resize(targets.n);
     const Real support2 = static_cast<Real>(support * support);
     const auto place = [&](Real x, int d) {

@@ -103,7 +103,7 @@ struct ArtificialStress {
             const auto unit = symmetric_identity<typename A::Scalar, A::dimension>();
             const auto sigma = a[deviatoric_stress] - a[pressure] * unit;
             if (parameters.epsilon == 0) // finding principal axes takes longer than everything else here
-                return 0.0 / sq(a[density]) * sigma;
+                return 0.0 * sigma;
             return -parameters.epsilon / sq(a[density]) * Axes::tension(sigma);
         }
     };

@@ -103,7 +103,8 @@ public:
         require(s.size() == 0 || s.material.density == material.density, name, ": particles were added with density ",
                 s.material.density, " kg/m^3 before and ", material.density,
                 " kg/m^3 now; use a second phase for a second material");
-        require_distinct_in(s, points, spacing, name);
+        const std::vector<Point> places = stored_places(points);
+        require_distinct_in(s, places, spacing, name);
         if (s.size() == 0) {
             s.material = material;
             s.material.spacing = spacing;
@@ -114,14 +115,10 @@ public:
         s.resize(before + static_cast<int>(points.size()));
         const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
         for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-            const Point& x = points[static_cast<std::size_t>(k)];
+            const Point& x = places[static_cast<std::size_t>(k)];
             const int i = before + k;
             for (int d = 0; d < dim; ++d) {
-                const auto axis = static_cast<std::size_t>(d);
-                const double length = settings_.periodic_length[axis];
-                double at = x[d] - settings_.origin[axis];
-                if (length > 0)
-                    at = search::into_period(at, engine_.periodic.lower[axis], length);
+                const double at = x[d];
                 s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(at);
                 if constexpr (State<P>::keeps_reference)
                     s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(at);
@@ -279,10 +276,22 @@ public:
             (observers(*this), ...);
         }
     }
+    /// Throws Error, with `words` before it, if a coordinate of any particle is not a finite number.
+    void require_finite(const std::string& words) const {
+        engine_.for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+            if (s.size() > 0)
+                require(search::bounds_of(s.points(), engine_.threads).not_finite < 0, words,
+                        "a coordinate of a particle of phase ", detail::type_name<P>(), " is not a finite number");
+        });
+    }
     /// For checkpoints (output/checkpoint.hpp): hands everything that makes up the state of the scene to `archive`,
     /// which writes it or reads it back, in the order of this function.
     template <class Archive>
     void archive(Archive& archive) {
+        if constexpr (Archive::reading) {
+            check_phases(Phases{});
+            check_couplings(Couplings{});
+        }
         engine_.archive_particles(archive);
         archive(time_);
         archive(steps_);
@@ -343,13 +352,29 @@ private:
     static constexpr void require_phase() {
         static_assert(detail::contains<P, Phases>, "imbibe: this phase is not listed in the solver's type");
     }
-    // The new points among themselves and against the particles the phase has already.
+    // Points of the world as they are stored: relative to the origin, inside the period, and that also once rounded.
+    std::vector<Point> stored_places(const std::vector<Point>& points) const {
+        std::vector<Point> places = points;
+        for (Point& x : places)
+            for (std::size_t d = 0; d < dim; ++d) {
+                Real at = static_cast<Real>(x[static_cast<int>(d)] - settings_.origin[d]);
+                if (settings_.periodic_length[d] > 0) {
+                    const double inside = search::into_period(x[static_cast<int>(d)] - settings_.origin[d],
+                                                              engine_.periodic.lower[d], settings_.periodic_length[d]);
+                    at = search::into_period(static_cast<Real>(inside), static_cast<Real>(engine_.periodic.lower[d]),
+                                             static_cast<Real>(settings_.periodic_length[d]));
+                }
+                x[static_cast<int>(d)] = static_cast<double>(at);
+            }
+        return places;
+    }
+    // New places among themselves and against the particles the phase has already.
     template <class S>
     void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing,
                              const std::string& name) const {
         std::vector<Point> all = points;
         for (int i = 0; i < s.size(); ++i)
-            all.push_back(position_of(s, i));
+            all.push_back(place_of(s, i));
         try {
             require_distinct<dim>(all, spacing);
         } catch (const Error& error) {
@@ -360,7 +385,12 @@ private:
     // A term may say what its coefficients, or the material it is used with, must fulfil.
     template <class... P>
     void check_phases(TypeList<P...>) const {
-        (check_terms<P>(engine_.template state<P>().material, typename P::terms{}), ...);
+        (check_phase<P>(engine_.template state<P>()), ...);
+    }
+    template <class P>
+    static void check_phase(const State<P>& s) {
+        if (s.size() > 0)
+            check_terms<P>(s.material, typename P::terms{});
     }
     template <class... C>
     void check_couplings(TypeList<C...>) const {
@@ -381,14 +411,17 @@ private:
             Term::check(owner, name);
     }
 
-    // In the coordinates of the world.
+    // A particle's place as it is stored, and in the coordinates of the world.
     template <class S>
-    Point position_of(const S& s, int i) const {
+    static Point place_of(const S& s, int i) {
         Point x;
         for (int d = 0; d < dim; ++d)
-            x[d] = static_cast<double>(s.column(S::template offset<Position> + d)[i]) +
-                   settings_.origin[static_cast<std::size_t>(d)];
+            x[d] = static_cast<double>(s.column(S::template offset<Position> + d)[i]);
         return x;
+    }
+    template <class S>
+    Point position_of(const S& s, int i) const {
+        return place_of(s, i) + Eigen::Map<const Point>(settings_.origin.data());
     }
 
     template <class P>

@@ -188,7 +188,7 @@ private:
     // components do not compete for one place in the cache.
     static std::size_t stride_for(int count) {
         constexpr std::size_t line = 64 / sizeof(Real);
-        std::size_t lines = (static_cast<std::size_t>(count) + 64) / line + 1;
+        std::size_t lines = (static_cast<std::size_t>(count) + search::read_beyond) / line + 1;
         return (lines | 1) * line;
     }
     void pad(AlignedVector<Real>& columns) {
