@@ -110,8 +110,11 @@ public:
                     double distance2 = 0;
                     for (int d = 0; d < dim; ++d) {
                         const auto k = static_cast<std::size_t>(d);
-                        distance2 += sq(static_cast<double>(targets.x[k][i]) -
-                                        search::image_step(run.shift, d) * this->periodic.length[k] -
+                        const double length = this->periodic.length[k];
+                        double here = static_cast<double>(targets.x[k][i]);
+                        if (length > 0) // a total-Lagrangian phase is not wrapped
+                            here = search::into_period(here, this->periodic.lower[k], length);
+                        distance2 += sq(here - search::image_step(run.shift, d) * length -
                                         static_cast<double>(sources.x[k][j]));
                     }
                     found += distance2 > 0 && distance2 < link.support * link.support;
