@@ -44,8 +44,5 @@ void add_all() {
 int main(int argc, char** argv) {
     add_all<float>();
     add_all<double>();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv))
-        return 1;
-    benchmark::RunSpecifiedBenchmarks();
+    return bench::run_registered(argc, argv);
 }

@@ -44,6 +44,15 @@ double seconds_of(const F& f) {
     return cpu_seconds() - begin;
 }
 
+/// What BENCHMARK_MAIN does, for programs that register their benchmarks by themselves. Returns the exit status.
+inline int run_registered(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+        return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
+
 /// "float" or "double".
 template <class Real>
 constexpr const char* real_name = sizeof(Real) == 4 ? "float" : "double";
