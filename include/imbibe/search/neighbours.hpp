@@ -279,15 +279,16 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
                 here[d] = T(static_cast<Real>(at[static_cast<std::size_t>(d)]));
             for (int k = 0; k < stretches.count; ++k) {
                 const detail::Stretch& s = stretches.list[k];
-                if (!stretches.plain) [[unlikely]]
-                    for (int d = 0; d < dim; ++d)
-                        here[d] = T(static_cast<Real>(at[static_cast<std::size_t>(d)] -
-                                                      image_step(s.image, d) * grid.length(d)));
-                if (s.end - s.begin <= 64) [[likely]]
+                if (s.end - s.begin <= 64 && stretches.plain) [[likely]] {
                     to = detail::append_runs<width, dim, Real>(to, source_x, here, T(support2), s.begin, s.end, s.end,
-                                                               s.image);
-                else
-                    to = detail::append_long_stretch<width, dim, Real>(to, source_x, here, T(support2), s);
+                                                               0);
+                } else {
+                    Vector<T, dim> seen;
+                    for (int d = 0; d < dim; ++d)
+                        seen[d] = T(static_cast<Real>(at[static_cast<std::size_t>(d)] -
+                                                      image_step(s.image, d) * grid.length(d)));
+                    to = detail::append_long_stretch<width, dim, Real>(to, source_x, seen, T(support2), s);
+                }
             }
             used = static_cast<std::size_t>(to - runs.data());
             list.finish(i, static_cast<std::uint32_t>(used));
