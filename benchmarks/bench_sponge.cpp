@@ -15,6 +15,8 @@ template <class Preset, class Real>
 auto make(int rows, int threads) {
     presets::SpongeCase c;
     c.strip = rows == 1;
+    if (c.strip)
+        c.water_spacing = 0.7e-3; // ten to its width
     c.gap = c.support_radius; // nearer, and the repulsion K_f of the paper's would throw the water off
     c.threads = threads;
     return Preset::template make<Real>(c);
