@@ -35,6 +35,8 @@ void print_summary(const presets::SpongeCase& numbers, const SpongeResult& r, co
     std::printf("  over the last 40 %% of the run it hung %.3f mm from where it was.\n", r.late_mean * 1e3);
     std::printf("  %.1f %% of the water went through%s.\n", 100 * r.drained,
                 r.drained < 0.01 ? ": the pores are closed to it" : "");
+    if (r.spilled > 0)
+        std::printf("  %.1f %% jumped over the rim of the tank.\n", 100 * r.spilled);
     std::printf("  Water particles are %s.\n", r.conserved ? "all accounted for" : "MISSING");
     std::printf("  Curves: %s/sponge.csv, for ParaView: %s/water.pvd, sponge.pvd, vessel.pvd\n", output.folder.c_str(),
                 output.folder.c_str());

@@ -25,7 +25,8 @@ struct SpongeResult {
     double end = 0;                   ///< the time reached, s
     double peak = 0, peak_time = 0;   ///< greatest mean displacement, m, and when, s
     double late_mean = 0;             ///< mean of the mean displacement over the last 40 % of the run, m
-    double drained = 0;               ///< fraction of the water that is below the slab or has left
+    double drained = 0;               ///< fraction of the water that is below the slab or has left through it
+    double spilled = 0;               ///< fraction of the water that has left over the rim of the tank
     double wall_seconds = 0;
     long long steps = 0;
     bool conserved = false; ///< water in the scene plus water drained is what there was

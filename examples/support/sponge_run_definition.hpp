@@ -103,13 +103,14 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     result.composition = C::name;
     result.peak = notes["peak"];
     result.peak_time = notes["peak time"];
-    int left = static_cast<int>(notes["left"]);
+    int left = static_cast<int>(notes["left"]), spilled = static_cast<int>(notes["spilled"]);
     double late_sum = notes["late sum"], late_count = notes["late count"];
     auto row_count = static_cast<std::size_t>(notes["rows"]);
     const auto keep_notes = [&] {
         notes = {{"peak", result.peak},
                  {"peak time", result.peak_time},
                  {"left", left},
+                 {"spilled", spilled},
                  {"water at start", water_at_start},
                  {"late sum", late_sum},
                  {"late count", late_count},
@@ -118,11 +119,15 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         return notes;
     };
 
+    // What falls outside the tank has jumped over its rim, not gone through the sponge.
+    const auto in_the_tank = [&](double x, double y) {
+        return x > 0 && x < numbers.length() && (numbers.strip || (y > 0 && y < numbers.width()));
+    };
     const auto below = [&] {
         int n = left;
         const auto x = water[position];
         for (int i = 0; i < water.size(); ++i)
-            n += x(i, 2) < 0;
+            n += x(i, 2) < 0 && in_the_tank(x(i, 0), x(i, 1));
         return static_cast<double>(n) / water_at_start;
     };
     const auto measure = [&](const auto& s) {
@@ -157,7 +162,12 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     try {
         scene.run_until(end, [&](auto& s) {
             if (s.steps() % 20 == 0)
-                left += s.remove_if(PhaseHandle<Water>{}, [&](const Point<3>& x) { return x[2] < -numbers.drain; });
+                s.remove_if(PhaseHandle<Water>{}, [&](const Point<3>& x) {
+                    const bool gone = x[2] < -numbers.drain;
+                    if (gone)
+                        ++(in_the_tank(x[0], x[1]) ? left : spilled);
+                    return gone;
+                });
             rows(s);
             if (output.snapshot_interval > 0)
                 pictures(s);
@@ -183,7 +193,8 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     result.steps = scene.steps();
     result.wall_seconds = progress.wall_seconds();
     result.late_mean = late_count > 0 ? late_sum / late_count : 0;
-    result.conserved = water.size() + left == water_at_start;
+    result.spilled = static_cast<double>(spilled) / water_at_start;
+    result.conserved = water.size() + left + spilled == water_at_start;
 
     if (output.pictures && output.snapshot_interval > 0) {
         const std::string folder = output.folder.string();
