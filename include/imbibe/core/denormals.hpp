@@ -10,8 +10,8 @@ namespace imbibe {
 /// While it lives, this thread takes denormal numbers (below 1.2e-38 in float) for zero; then all is as it was before.
 ///
 /// Differences that die out, of velocity in a block that falls or of density at rest, end as denormal numbers, and each
-/// operation on one costs a processor over a hundred times the usual. In the fall of the sponge scene that was half of
-/// the time of a step in float. x86 only; on other machines it does nothing.
+/// operation on one costs a processor far more than the usual. In float, the sponge scene has many of them while its water
+/// falls. x86 only; on other machines it does nothing.
 class DenormalsAreZero {
 public:
 #if defined(__SSE2__)

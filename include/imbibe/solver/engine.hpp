@@ -111,9 +111,11 @@ private:
         } else {
             using P = typename N::A;
             const auto part = make_part<N>(owner<N>());
+            using Reads = ReadsOnA<dim, N>;
             for (int i = begin; i < end; ++i) {
-                const ParticleView<N, P, FieldsOf<P>, dim, Real, 1, true> a{s.data() + i, s.stride(), s.material,
-                                                                            this->gravity, nullptr};
+                OwnValues<Reads, dim, Number<Real>> own;
+                own.template load<FieldsOf<P>>(s.data() + i, s.stride());
+                const OwnView<P, Reads, dim, Number<Real>> a{own, s.material, this->gravity};
                 write_results<N>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
             }
         }

@@ -118,10 +118,9 @@ public:
             const Point& x = places[static_cast<std::size_t>(k)];
             const int i = before + k;
             for (int d = 0; d < dim; ++d) {
-                const double at = x[d];
-                s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(at);
+                s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(x[d]);
                 if constexpr (State<P>::keeps_reference)
-                    s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(at);
+                    s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(x[d]);
             }
             s.field(mass)[i] = static_cast<Real>(material.density * cell);
             if constexpr (detail::contains<Density, FieldsOf<P>>)
@@ -357,14 +356,15 @@ private:
         std::vector<Point> places = points;
         for (Point& x : places)
             for (std::size_t d = 0; d < dim; ++d) {
-                Real at = static_cast<Real>(x[static_cast<int>(d)] - settings_.origin[d]);
-                if (settings_.periodic_length[d] > 0) {
-                    const double inside = search::into_period(x[static_cast<int>(d)] - settings_.origin[d],
-                                                              engine_.periodic.lower[d], settings_.periodic_length[d]);
-                    at = search::into_period(static_cast<Real>(inside), static_cast<Real>(engine_.periodic.lower[d]),
-                                             static_cast<Real>(settings_.periodic_length[d]));
-                }
-                x[static_cast<int>(d)] = static_cast<double>(at);
+                double& at = x[static_cast<int>(d)];
+                at -= settings_.origin[d];
+                const double lower = engine_.periodic.lower[d], length = settings_.periodic_length[d];
+                if (length > 0)
+                    at = search::into_period(at, lower, length);
+                Real rounded = static_cast<Real>(at);
+                if (length > 0)
+                    rounded = search::into_period(rounded, static_cast<Real>(lower), static_cast<Real>(length));
+                at = static_cast<double>(rounded);
             }
         return places;
     }

@@ -6,10 +6,18 @@
 
 namespace imbibe::detail {
 
-/// One particle, or a pack of consecutive ones, as a part sees them. That only declared fields are read, the dry run
-/// has checked.
-template <class N, class P, class List, int dim, class Real, int width, bool broadcast>
-struct ParticleView {
+/// A vector of the scene, such as gravity, in the numbers of a part.
+template <class T, int dim>
+IMBIBE_INLINE Vector<T, dim> in_numbers(const Vector<double, dim>& v) {
+    Vector<T, dim> result;
+    for (int k = 0; k < dim; ++k)
+        result[k] = T(v[k]);
+    return result;
+}
+
+/// A pack of consecutive neighbours as a part sees them. That only declared fields are read, the dry run has checked.
+template <class P, class List, int dim, class Real, int width>
+struct NeighbourView {
     using Material = P;
     using Scalar = Pack<Real, width>;
     static constexpr int dimension = dim;
@@ -17,33 +25,23 @@ struct ParticleView {
     std::size_t stride;
     const P& material;
     const Vector<double, dim>& gravity_now;
-    const Vector<Real, dim>* image; ///< displacement of the periodic image through which this particle is seen
+    const Vector<Real, dim>& image; ///< displacement of the periodic image through which they are seen
 
     template <class F>
     IMBIBE_INLINE auto operator[](F) const {
         constexpr int first = component_offset<dim, F, List>;
         Value<F, dim, Scalar> v;
-        for (int k = 0; k < components(F::rank, dim); ++k) {
-            const Real* from = data + static_cast<std::size_t>(first + k) * stride;
-            if constexpr (broadcast)
-                component(v, k) = Scalar(*from);
-            else
-                component(v, k) = Scalar::load(from);
-        }
-        if constexpr (!broadcast && (std::is_same_v<F, Position> || std::is_same_v<F, ReferencePosition>))
+        for (int k = 0; k < components(F::rank, dim); ++k)
+            component(v, k) = Scalar::load(data + static_cast<std::size_t>(first + k) * stride);
+        if constexpr (std::is_same_v<F, Position> || std::is_same_v<F, ReferencePosition>)
             for (int k = 0; k < dim; ++k)
-                component(v, k) += Scalar((*image)[k]);
+                component(v, k) += Scalar(image[k]);
         return v;
     }
-    IMBIBE_INLINE Vector<Scalar, dim> gravity() const {
-        Vector<Scalar, dim> g;
-        for (int i = 0; i < dim; ++i)
-            g[i] = Scalar(gravity_now[i]);
-        return g;
-    }
+    IMBIBE_INLINE Vector<Scalar, dim> gravity() const { return in_numbers<Scalar>(gravity_now); }
 };
 
-/// The fields of the particle that a sweep sums for, each number in all lanes of a pack: loaded once for all its
+/// Fields of the particle that is computed, each number in all lanes of a pack: in a sweep loaded once for all its
 /// neighbours.
 template <class List, int dim, class T>
 struct OwnValues {
@@ -89,12 +87,7 @@ struct OwnView {
     IMBIBE_INLINE auto operator[](F) const {
         return own.template get<F>();
     }
-    IMBIBE_INLINE Vector<T, dim> gravity() const {
-        Vector<T, dim> g;
-        for (int i = 0; i < dim; ++i)
-            g[i] = T(gravity_now[i]);
-        return g;
-    }
+    IMBIBE_INLINE Vector<T, dim> gravity() const { return in_numbers<T>(gravity_now); }
 };
 
 /// The fields of their own particle that the nodes of a sweep read.
@@ -184,9 +177,8 @@ template <class N, class ListB, class Own, int dim, class Real, int width, class
 IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums, const Own& a,
                            const SourceData<dim, Real>& source, const typename N::B& material_b,
                            const Pair<dim, Pack<Real, width>>& ab, const search::Run& run) {
-    const Vector<Real, dim>& image = source.images[run.shift];
-    const ParticleView<N, typename N::B, ListB, dim, Real, width, false> b{source.data + run.first, source.stride,
-                                                                           material_b, ab.gravity_now, &image};
+    const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.data + run.first, source.stride, material_b,
+                                                                  ab.gravity_now, source.images[run.shift]};
     add_all<dim, Pack<Real, width>, Adds, N>(sums, part(a, b, ab),
                                              std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
 }
