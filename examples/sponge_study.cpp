@@ -52,8 +52,9 @@ std::vector<Case> cases_of(const std::string& study, const std::string& composit
 std::string signature(const Case& c, const std::string& precision, double end) {
     const auto& n = c.numbers;
     return sph::text(c.name, " ", precision, " end ", end, " spacings ", n.water_spacing, " ", n.solid_spacing,
-                     " pool ", n.pool, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus, " K_f ",
-                     n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
+                     " pool ", n.pool, " freeboard ", n.freeboard, " strip ", n.strip, " G ", n.shear_modulus, " E ",
+                     n.young_modulus, " K_f ", n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step,
+                     " cfl ", n.cfl);
 }
 
 bool says(const std::filesystem::path& path, const std::string& what) {

@@ -48,6 +48,8 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
     app.add_flag("--strip", numbers.strip, "one row of pores, periodic across");
     add_millimetres(app, "--pool", numbers.pool,
                     "fill the tank with water to this height instead of the paper's block, mm");
+    add_millimetres(app, "--freeboard", numbers.freeboard,
+                    "how far the walls reach above the water, mm; 0: 5 above a pool, 120 above the block");
     app.add_option("--threads", numbers.threads, "threads; 0: all")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

@@ -28,6 +28,7 @@ struct SpongeCase {
     double time_step = 0;            ///< s; 0: the composition's own choice
     double cfl = 0.75;               ///< share of the shortest time step limit that an adaptive step takes
     double drain = 30e-3;            ///< how far below the slab water leaves the scene, m
+    double freeboard = 0;            ///< how far the walls reach above the water, m; 0: as far as it is seen to splash
     bool strip = false;              ///< one row of pores, periodic in y, instead of five rows in a tank
     double pool = 0;     ///< m; above 0: water that fills the tank to this height instead of the paper's block
     double wall_gap = 0; ///< between a pool and the walls, m; `PaperSponge` needs a support radius (K_f)
@@ -43,6 +44,9 @@ struct SpongeCase {
     double water_bottom() const { return thickness() + gap; }
     /// The paper's block: 31 x 31 x 71 particles.
     double block_height() const { return 71 * 0.8e-3; }
+    /// How far the walls reach above the water, m. The block slams down between them and climbs: drops were seen 120 mm
+    /// above its top. A pool fills the tank already.
+    double walls_above() const { return freeboard > 0 ? freeboard : pool > 0 ? 5e-3 : 120e-3; }
     double water_height() const { return pool > 0 ? pool : block_height(); }
     /// The greatest speed to be expected: a fall from the top of the water to where it leaves the scene, m/s.
     double fall_speed() const { return std::sqrt(2 * gravity * (water_height() + water_bottom() + drain)); }
@@ -71,6 +75,7 @@ struct SpongeCase {
         require(!strip || std::abs(rows_across - std::round(rows_across)) < 1e-3 * rows_across,
                 "water spacing = ", water_spacing, " m; on a strip, which is periodic, it must divide its width of ",
                 width(), " m, as 0.7e-3 and 0.875e-3 m do");
+        require(freeboard >= 0 && freeboard < 1, "freeboard = ", freeboard, " m; it must be from 0 (chosen) to 1 m");
         require(pool >= 0 && pool < 1, "height of the pool = ", pool,
                 " m; it must be from 0 (the paper's block) to 1 m");
     }
@@ -90,7 +95,7 @@ struct SpongeCase {
     }
     /// The walls around: the tank is as long and wide as the slab, open above and below.
     std::vector<Point<3>> vessel(double reach) const {
-        const Box<3> inner{{0, 0, -drain}, {length(), width(), water_bottom() + water_height() + 5e-3}};
+        const Box<3> inner{{0, 0, -drain}, {length(), width(), water_bottom() + water_height() + walls_above()}};
         const int layers = static_cast<int>(std::ceil(reach / water_spacing - 1e-9));
         return tank(inner, water_spacing, layers, strip ? Sides::y | Sides::z : Sides::z);
     }
