@@ -8,11 +8,13 @@
 //   build/sponge --pore-radius 2 --end 0.25        wider pores, shorter (lengths in mm)
 //   build/sponge --quick                           one row of pores, a true picture in about a minute
 //   build/sponge --restart                         after Ctrl-C, a crash or a power cut: go on from the last checkpoint
+#include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
 
 namespace sph = imbibe;
 
 int main(int argc, char** argv) {
+    sph::example::sleep_while_waiting(argv);
     sph::presets::SpongeCase numbers;
     sph::example::SpongeOutput output;
     std::string composition = "sound", precision = "float", folder = output.folder.string();

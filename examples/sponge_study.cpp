@@ -8,6 +8,7 @@
 // Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted
 // goes on from its last checkpoint, and the two studies share the case they have in common.
 #include "support/pictures.hpp"
+#include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
 
 #include <imbibe/output/file.hpp>
@@ -66,6 +67,7 @@ bool says(const std::filesystem::path& path, const std::string& what) {
 } // namespace
 
 int main(int argc, char** argv) {
+    sph::example::sleep_while_waiting(argv);
     sph::presets::SpongeCase numbers;
     std::string study, composition = "sound", precision = "float", folder = "out-study";
     double end = 0.5, snapshots = 25;

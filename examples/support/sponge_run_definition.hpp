@@ -65,6 +65,8 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                 output.folder.string(), " is of another case: it began with ", notes["water at start"], " water and ",
                 sponge.size(), " sponge particles, this one with ", water_at_start, " and ", sponge_at_start,
                 "; give the same options as before, besides --restart");
+        require(scene.time() <= end, "the checkpoint in ", output.folder.string(), " was made at t = ", scene.time(),
+                " s, after the end time of ", end, " s; give a later --end");
     } else {
         std::error_code none_there; // a checkpoint of an earlier run must not be taken for one of this
         std::filesystem::remove(checkpoint, none_there);
@@ -104,7 +106,9 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     result.peak = notes["peak"];
     result.peak_time = notes["peak time"];
     int left = static_cast<int>(notes["left"]), spilled = static_cast<int>(notes["spilled"]);
-    double late_sum = notes["late sum"], late_count = notes["late count"];
+    const double late_from = 0.6 * end;
+    const bool same_end = notes["late from"] == late_from; // a run may be continued to a later end
+    double late_sum = same_end ? notes["late sum"] : 0, late_count = same_end ? notes["late count"] : 0;
     auto row_count = static_cast<std::size_t>(notes["rows"]);
     const auto keep_notes = [&] {
         notes = {{"peak", result.peak},
@@ -112,6 +116,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                  {"left", left},
                  {"spilled", spilled},
                  {"water at start", water_at_start},
+                 {"late from", late_from},
                  {"late sum", late_sum},
                  {"late count", late_count},
                  {"rows", static_cast<double>(row_count)},
@@ -136,7 +141,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
             result.peak = mean;
             result.peak_time = s.time();
         }
-        if (s.time() >= 0.6 * end) {
+        if (s.time() >= late_from) {
             late_sum += mean;
             late_count += 1;
         }
@@ -177,6 +182,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                 throw StoppedByUser{};
             checkpoints(s, keep_notes);
         });
+        write_checkpoint(scene, checkpoint, keep_notes()); // from which the run can go on to a later end
     } catch (const StoppedByUser&) {
         result.failure = "stopped by the user; --restart goes on from here";
         result.stopped = true;

@@ -105,9 +105,9 @@ std::string sides_of(TypeList<F...>) {
     constexpr auto seen = detail::reads_on<Part, dim, A, B>;
     static_assert(detail::check_all_read<Part, seen>(TypeList<F...>{}));
     std::string on_a, on_b;
-    ((seen.a[detail::index_of<F, TypeList<F...>>] ? on_a += std::string(F::name) + " " : on_a), ...);
-    ((seen.b[detail::index_of<F, TypeList<F...>>] ? on_b += std::string(F::name) + " " : on_b), ...);
-    return on_a + "|" + (on_b.empty() ? on_b : " " + on_b.substr(0, on_b.size() - 1));
+    ((seen.a[detail::index_of<F, TypeList<F...>>] ? on_a.append(F::name).append(" ") : on_a), ...);
+    ((seen.b[detail::index_of<F, TypeList<F...>>] ? on_b.append(" ").append(F::name) : on_b), ...);
+    return on_a + "|" + on_b;
 }
 template <class Part, int dim, class A, class B = A>
 std::string sides() {

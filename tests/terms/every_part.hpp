@@ -5,14 +5,20 @@
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/laminar_viscosity.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
+#include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
+#include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
 #include <imbibe/solid/stress_force.hpp>
+#include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
 #include <imbibe/solid/xsph.hpp>
+#include <imbibe/wall/no_slip.hpp>
+#include <imbibe/wall/pressure_extrapolation.hpp>
 
 namespace hand {
 
@@ -37,7 +43,16 @@ using EveryPairPart = TypeList<
     Case<MonaghanViscosity<Spiky>, Water, Sponge, true>, Case<VelocityGradient<Spiky>, Sponge, Sponge, false>,
     Case<StressForce<Spiky>::Push, Sponge, Sponge, true>, Case<ArtificialStress<Spiky>::Push, Sponge, Sponge, true>,
     Case<ArtificialStress<Spiky, ComponentWise, Poly6, 3>::Push, Sponge, Sponge, true>,
-    Case<Xsph<Poly6>::Sum, Sponge, Sponge, false>, Case<KernelRepulsion<>, Water, Sponge, true>>;
+    Case<Xsph<Poly6>::Sum, Sponge, Sponge, false>, Case<KernelRepulsion<>, Water, Sponge, true>,
+    Case<VolumePressure<>::Push, Water, Water, true>, Case<VolumePressure<>::Push, Water, Sponge, true>,
+    Case<DensityDiffusion<>::Smooth, Water, Water, false>, Case<MorrisViscosity<>, Water, Water, true>,
+    Case<NoSlipViscosity<>, Water, Sponge, true>, Case<ReferenceCorrection<>::Moments, Sponge, Sponge, false>,
+    Case<DeformationGradient<>::Sum, Sponge, Sponge, false>, Case<TotalLagrangianForce<>::Push, Sponge, Sponge, true>,
+    Case<HourglassControl<>::Push, Sponge, Sponge, true>, Case<TotalLagrangianViscosity<>::Push, Sponge, Sponge, true>>;
+
+/// Those with two results, which are no force and not zero for the particle itself.
+using PairPartsWithTwoResults = TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
+                                         Case<NoSlipVelocity<>::Sum, Sponge, Water, false>>;
 
 template <class F, class... C>
 void for_each_case(TypeList<C...>, F f) {
@@ -59,6 +74,12 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(pressure_over_density2, typename SymmetricPressure<Spiky>::Prepare{}(p));
     p.set(stress_over_density2, typename StressForce<Spiky>::Prepare{}(p));
     p.set(artificial_stress_over_density2, typename ArtificialStress<Spiky>::Prepare{}(p));
+    p.set(volume, p[mass] / p[density]).set(displacement, dice.vector<dim>(2e-4));
+    Tensor<Number<double>, dim> t = identity<Number<double>, dim>();
+    for (auto& c : t.c)
+        c += dice(-0.1, 0.1);
+    p.set(deformation_gradient, t).set(corrected_piola_stress, t);
+    p.set(no_slip_velocity, dice.vector<dim>(1));
     return p;
 }
 

@@ -1,5 +1,4 @@
-// What every pair part must keep to: action and reaction, silence beyond the support, a finite and empty self pair,
-// and the same numbers on packs as on scalars.
+// What every pair part must keep to: action and reaction, silence beyond the support, and a finite and empty self pair.
 #include "every_part.hpp"
 
 #include <algorithm>
@@ -76,49 +75,6 @@ void check_beyond_the_support_and_self() {
     });
 }
 
-template <class Real, int dim>
-void check_packs() {
-    constexpr int width = std::max(native_width<Real>, 2);
-    using T = Pack<Real, width>;
-    for_each_case(EveryPairPart<dim>{}, []<class C>(C) {
-        Dice dice(400 + dim);
-        const typename C::Part part{};
-        double size = 0, error = 0;
-        for (int k = 0; k < 20; ++k) {
-            const auto a = ready_particle<typename C::A>(dice, Vector<Number<double>, dim>::zero());
-            std::vector<Particle<dim, Number<double>, typename C::B>> neighbours;
-            for (int lane = 0; lane < width; ++lane) { // inside and outside the support, and one on top of a
-                const auto where = dice.vector<dim>(lane == 0 ? 0 : 0.7 * H);
-                neighbours.push_back(ready_particle<typename C::B>(dice, where));
-            }
-            const auto a_ = as<T>(a);
-            const auto b_ = lanes<T>(neighbours);
-            const auto ab = pair_of(a_, b_);
-            const auto all = contribution(ab, part(a_, b_, ab));
-            for (int lane = 0; lane < width; ++lane) {
-                const auto a1 = as<Number<Real>>(a);
-                const auto b1 = as<Number<Real>>(neighbours[static_cast<std::size_t>(lane)]);
-                const auto ab1 = pair_of(a1, b1);
-                const auto one = numbers(contribution(ab1, part(a1, b1, ab1)));
-                const auto many = numbers(all, lane);
-                REQUIRE(one.size() == many.size());
-                size = std::max(size, greatest(one));
-                // Near the rim of the support a kernel is (1 - q)^n: an error of the last bit in q weighs n/(1 - q).
-                const double room = 1 - static_cast<double>(Real(ab1.distance)) / H;
-                for (std::size_t i = 0; i < one.size(); ++i)
-                    if (room > 1e-4)
-                        error = std::max(error, room * std::abs(one[i] - many[i]) / std::max(greatest(one), 1e-300));
-                    else if (room < -1e-4)
-                        REQUIRE((one[i] == 0 && many[i] == 0));
-            }
-        }
-        CHECK(size > 0);
-        // the two may differ where the compiler fuses products, and by the last bit of roots and quotients; twelfth
-        // powers carry that difference on
-        CHECK(error < 50 * static_cast<double>(std::numeric_limits<Real>::epsilon()));
-    });
-}
-
 } // namespace
 
 TEST_CASE("forces of a pair are equal and opposite, to the last bit for equal masses") {
@@ -133,11 +89,4 @@ TEST_CASE("pair parts are zero beyond the support, and finite at distance zero")
     check_beyond_the_support_and_self<double, 3>();
     check_beyond_the_support_and_self<float, 2>();
     check_beyond_the_support_and_self<float, 3>();
-}
-
-TEST_CASE("a pack of neighbours gives what each of them gives alone") {
-    check_packs<double, 2>();
-    check_packs<double, 3>();
-    check_packs<float, 2>();
-    check_packs<float, 3>();
 }

@@ -110,8 +110,11 @@ struct ArtificialStress {
     struct Push {
         using reads = Fields<mass, artificial_stress_over_density2>;
         using adds = Fields<acceleration>;
+        Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            if (parameters.epsilon == 0) // one branch for the whole sweep, and nothing of it is read
+                return 0 * ab.offset;
             const double spacing = 0.5 * (a.material.spacing + b.material.spacing);
             const auto f = ab.relative_value(FactorKernel{}, spacing);
             return (b[mass] * power<n>(f) * ab.gradient(Kernel{})) *

@@ -1,0 +1,102 @@
+// Every pair part on packs of every width that a processor may ask for gives what it gives on single numbers.
+#include "every_part.hpp"
+
+#include <algorithm>
+
+using namespace hand;
+
+namespace {
+
+/// All results of a pair part in plain double, one after the other.
+template <int dim, class T, class R>
+std::vector<double> results(const Pair<dim, T>& ab, const R& result, int lane = 0) {
+    if constexpr (detail::is_tuple<R>) {
+        std::vector<double> all;
+        std::apply(
+            [&](const auto&... one) {
+                (
+                    [&] {
+                        const auto n = numbers(contribution(ab, one), lane);
+                        all.insert(all.end(), n.begin(), n.end());
+                    }(),
+                    ...);
+            },
+            result);
+        return all;
+    } else {
+        return numbers(contribution(ab, result), lane);
+    }
+}
+
+template <class Real, int width, int dim, class C>
+void check_part() {
+    using T = Pack<Real, width>;
+    Dice dice(400 + dim);
+    const typename C::Part part{};
+    double size = 0, error = 0;
+    for (int k = 0; k < 20; ++k) {
+        const auto a = ready_particle<typename C::A>(dice, Vector<Number<double>, dim>::zero());
+        std::vector<Particle<dim, Number<double>, typename C::B>> neighbours;
+        for (int lane = 0; lane < width; ++lane) { // inside and outside the support, and one on top of a
+            const auto where = dice.vector<dim>(lane == 0 ? 0 : 0.7 * H);
+            neighbours.push_back(ready_particle<typename C::B>(dice, where));
+        }
+        const auto a_ = as<T>(a);
+        const auto b_ = lanes<T>(neighbours);
+        auto ab = pair_of(a_, b_);
+        ab.gravity_now = Vector<double, dim>::filled(-3.0);
+        const auto all = part(a_, b_, ab);
+        for (int lane = 0; lane < width; ++lane) {
+            const auto a1 = as<Number<Real>>(a);
+            const auto b1 = as<Number<Real>>(neighbours[static_cast<std::size_t>(lane)]);
+            auto ab1 = pair_of(a1, b1);
+            ab1.gravity_now = ab.gravity_now;
+            const auto one = results(ab1, part(a1, b1, ab1));
+            const auto many = results(ab, all, lane);
+            REQUIRE(one.size() == many.size());
+            double greatest = 1e-300;
+            for (const double x : one)
+                greatest = std::max(greatest, std::abs(x));
+            size = std::max(size, greatest);
+            // Near the rim of the support a kernel is (1 - q)^n: an error of the last bit in q weighs n/(1 - q).
+            const double room = 1 - plain(ab1.distance) / H;
+            for (std::size_t i = 0; i < one.size(); ++i) {
+                REQUIRE(std::isfinite(many[i]));
+                if (room > 1e-4)
+                    error = std::max(error, room * std::abs(one[i] - many[i]) / greatest);
+                else if (room < -1e-4)
+                    REQUIRE((one[i] == 0 && many[i] == 0));
+            }
+        }
+    }
+    CHECK(size > 1e-300);
+    // The two may differ where the compiler fuses products, and by the last bit of roots and quotients; twelfth powers
+    // carry that difference on.
+    CHECK(error < 50 * static_cast<double>(std::numeric_limits<Real>::epsilon()));
+}
+
+template <class Real, int width, int dim>
+void check_every_part() {
+    INFO(width << " numbers of " << sizeof(Real) << " bytes in " << dim << "D");
+    for_each_case(EveryPairPart<dim>{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
+    for_each_case(PairPartsWithTwoResults{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
+}
+
+} // namespace
+
+TEST_CASE("a pack of neighbours gives what each of them gives alone, in packs of 16 bytes") {
+    check_every_part<float, 4, 3>();
+    check_every_part<double, 2, 3>();
+}
+TEST_CASE("a pack of neighbours gives what each of them gives alone, in packs of 32 bytes") {
+    check_every_part<float, 8, 3>();
+    check_every_part<double, 4, 3>();
+}
+TEST_CASE("a pack of neighbours gives what each of them gives alone, in packs of 64 bytes") {
+    check_every_part<float, 16, 3>();
+    check_every_part<double, 8, 3>();
+}
+TEST_CASE("a pack of neighbours gives what each of them gives alone, in the plane") {
+    check_every_part<float, 8, 2>();
+    check_every_part<double, 4, 2>();
+}
