@@ -17,7 +17,7 @@ auto make(int rows, int threads) {
     c.strip = rows == 1;
     if (c.strip)
         c.water_spacing = 0.7e-3; // ten to its width
-    c.gap = c.support_radius; // nearer, and the repulsion K_f of the paper's would throw the water off
+    c.gap = c.support_radius;     // nearer, and the repulsion K_f of the paper's would throw the water off
     c.threads = threads;
     return Preset::template make<Real>(c);
 }

@@ -62,7 +62,7 @@ void fluid(benchmark::State& state) {
     const auto n = static_cast<double>(engine.template state<Phase>().size());
     double generic_least = 1e30, hand_least = 1e30;
     for (auto _ : state) {
-        const double generic_time = bench::seconds_of([&] { engine.template run<false>(0); });
+        const double generic_time = bench::seconds_of([&] { bench::run_loops(engine); });
         const double hand_time = bench::seconds_of([&] {
             if constexpr (std::is_same_v<Phase, WaterInOneSweep>)
                 hand.one_sweep();
@@ -90,7 +90,7 @@ void solid(benchmark::State& state) {
     const Phase phase{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
     auto& engine = kept_block<Real>(state, phase);
     for (auto _ : state)
-        engine.template run<false>(0);
+        bench::run_loops(engine);
     bench::per_item(state, "particle", engine.template state<Phase>().size());
     state.counters["neighbours"] = bench::neighbours_in(engine);
 }

@@ -35,7 +35,7 @@ void add_all() {
             [work](benchmark::State& state) { measure<Real>(state, work); });
     };
     add("search", [](auto& engine) { engine.find_neighbours(); });
-    add("loops", [](auto& engine) { engine.template run<false>(0); });
+    add("loops", [](auto& engine) { bench::run_loops(engine); });
     add("step", [](auto& engine) { SymplecticEuler::step(engine, 1e-9); });
 }
 

@@ -87,7 +87,7 @@ double search() {
 template <class Real, class Phase>
 double loops(const Phase& phase) {
     auto engine = bench::block<Real>(phase, particles, support);
-    count([&] { engine.template run<false>(0); });
+    count([&] { bench::run_loops(engine); });
     return engine.template state<Phase>().size();
 }
 

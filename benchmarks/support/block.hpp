@@ -19,8 +19,13 @@ void stir(const auto& phase, double spacing_) {
             v(i, d) = static_cast<Real>(std::sin(1.3 * (d + 1) * static_cast<double>(x(i, (d + 1) % 3)) / spacing_));
 }
 
-/// The engine of a scene with one phase, a cube of about `particles`, sorted and with its neighbours. Its
-/// `run<false>(0)` is the loops of a step, without the search and without motion: the same work every time.
+/// The loops of a step, without the search and without motion: the same work every time.
+template <class Engine>
+void run_loops(Engine& engine) {
+    engine.template run<typename Engine::Composition::WholeStep>(0);
+}
+
+/// The engine of a scene with one phase, a cube of about `particles`, sorted and with its neighbours.
 /// @param support the support radius in spacings
 template <class Real, class Phase>
 auto block(const Phase& phase, int particles, double support) {

@@ -29,6 +29,11 @@
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
+#include <imbibe/time/leapfrog.hpp>
+#include <imbibe/time/midpoint_runge_kutta.hpp>
+#include <imbibe/time/position_verlet.hpp>
+#include <imbibe/time/predictor_corrector.hpp>
+#include <imbibe/time/subcycled.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/version.hpp>
 #include <imbibe/wall/no_slip.hpp>

@@ -188,10 +188,65 @@ struct Composition {
         return bits;
     }
     static constexpr Bits given = given_at_start(Phases{});
-    static constexpr Bits added_once = added_by(OnceRows{}), added_in_step = added_by(StepRows{});
-
     static constexpr Plan once_plan = schedule(rows(OnceRows{}), given);
     static constexpr Plan plan = schedule(rows(StepRows{}), given | written_by(OnceRows{}));
+
+    // ---- what an integrator can ask for: rows, the plan that orders them, what they add to ----
+    // `gravity`: does the acceleration of all phases start from gravity, or is something in it already?
+
+    /// What is computed once, when the particles are there.
+    struct Once {
+        using Rows = OnceRows;
+        static constexpr Plan plan = once_plan;
+        static constexpr Bits added = added_by(Rows{});
+        static constexpr bool gravity = false;
+    };
+    /// All terms; states advance as soon as their rates are there, and forces see the new ones.
+    struct WholeStep {
+        using Rows = StepRows;
+        static constexpr Plan plan = Composition::plan;
+        static constexpr Bits added = added_by(Rows{});
+        static constexpr bool gravity = true;
+    };
+    /// All terms, with the states as they are: rates and forces of one moment, in as few sweeps as they need.
+    struct Rates {
+        using Rows = detail::Filter<KeepEveryStep, Nodes>;
+        static constexpr Plan plan = schedule(rows(Rows{}), given | written_by(OnceRows{}));
+        static constexpr Bits added = added_by(Rows{});
+        static constexpr bool gravity = true;
+    };
+    template <class P>
+    struct KeepOwn {
+        template <class N>
+        static constexpr bool keep() {
+            if constexpr (is_advance<N>)
+                return std::is_same_v<typename N::A, P>;
+            else
+                return std::is_same_v<typename N::Owner, P>;
+        }
+        template <class N>
+        struct Own : std::bool_constant<keep<N>()> {};
+        template <class N>
+        struct Other : std::bool_constant<!keep<N>()> {};
+    };
+    /// The terms of phase P itself, which act on top of what couplings have put into its acceleration.
+    template <class P>
+    struct OwnTerms {
+        using Rows = detail::Filter<KeepOwn<P>::template Own, StepRows>;
+        using Others = detail::Filter<KeepOwn<P>::template Other, StepRows>;
+        static constexpr Plan plan = schedule(rows(Rows{}), given | written_by(OnceRows{}) | written_by(Others{}));
+        static constexpr Bits added = added_by(Rows{}) - columns<P>(TypeList<Rate<Velocity>>{});
+        static constexpr bool gravity = false;
+    };
+    /// All other terms: those of the other phases and all couplings.
+    template <class P>
+    struct AllButOwnTerms {
+        using Rows = typename OwnTerms<P>::Others;
+        static constexpr Plan plan =
+            schedule(rows(Rows{}), given | written_by(OnceRows{}) | written_by(typename OwnTerms<P>::Rows{}));
+        static constexpr Bits added = added_by(Rows{});
+        static constexpr bool gravity = true;
+    };
 
     // ---- the rules ----
     template <int c, class... P>

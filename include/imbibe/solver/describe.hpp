@@ -46,14 +46,15 @@ std::string describe(Scene& scene) {
     std::ostringstream out;
     out << "Scene in " << Scene::dimension << "D, " << (sizeof(typename Scene::Real) == 4 ? "float" : "double")
         << " in packs of " << Scene::width << ", " << scene.threads() << (scene.threads() == 1 ? " thread" : " threads")
-        << ", " << scene.particles() << " particles, support radius " << scene.settings().support_radius * 1e3 << " mm\n";
+        << ", " << scene.particles() << " particles, support radius " << scene.settings().support_radius * 1e3
+        << " mm\n";
     const auto& engine = scene.engine();
     engine.for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
         out << "  " << detail::type_name<P>() << ": " << s.size() << " particles, spacing " << s.material.spacing * 1e3
-            << " mm, " << State::component_total * sizeof(typename Scene::Real) << " bytes each\n    effects: "
-            << detail::names_of(typename P::terms{})
-            << "\n    fields:  " << detail::field_names(typename Scene::template FieldsOf<P>{}) << "\n    sweeps:  "
-            << Composition::plan.sweeps(Composition::template phase_index<P>) << " a step\n";
+            << " mm, " << State::component_total * sizeof(typename Scene::Real)
+            << " bytes each\n    effects: " << detail::names_of(typename P::terms{})
+            << "\n    fields:  " << detail::field_names(typename Scene::template FieldsOf<P>{})
+            << "\n    sweeps:  " << Composition::plan.sweeps(Composition::template phase_index<P>) << " a step\n";
     });
     const auto coupling = [&]<class C>(std::type_identity<C>) {
         out << "  " << detail::type_name<C>() << " (" << detail::type_name<typename C::First>() << ", "
@@ -69,9 +70,16 @@ std::string describe(Scene& scene) {
             out << "Neighbours: " << detail::type_name<typename L::A>() << " has " << mean << " of "
                 << detail::type_name<typename L::B>() << (L::reference ? " (reference)" : "") << " on average\n";
     });
+    const auto list = [&](const auto& limits) {
+        for (const auto& limit : limits)
+            out << " " << limit.seconds << " s (" << limit.reason << ", " << limit.where << ");";
+    };
     out << "Time step:";
-    for (const auto& limit : scene.time_step_limits())
-        out << " " << limit.seconds << " s (" << limit.reason << ", " << limit.where << ");";
+    list(scene.time_step_limits());
+    if constexpr (Scene::subcycles) {
+        out << "\n  within it:";
+        list(scene.substep_limits());
+    }
     const auto next = scene.next_step();
     out << "\n  first step " << next.seconds << " s, from " << next.reason << " (" << next.where << ")\n";
     for (const auto& warning : scene.warnings())
@@ -79,8 +87,8 @@ std::string describe(Scene& scene) {
     return out.str();
 }
 
-/// How long the run to `end` would take at the pace of `steps` steps of a copy of the scene, wall seconds. Contacts that
-/// come later, or particles that leave, are not foreseen.
+/// How long the run to `end` would take at the pace of `steps` steps of a copy of the scene, wall seconds. Contacts
+/// that come later, or particles that leave, are not foreseen.
 template <class Scene>
 double estimate_wall_seconds(const Scene& scene, double end, int steps = 4) {
     Scene copy = scene;

@@ -23,47 +23,46 @@ public:
     using Base::any_periodic;
     using Base::for_each_phase;
 
-    /// Runs the plan of a step, or the one of what is computed once. `dt` is by how much states are advanced, s.
-    template <bool once>
+    using Composition = Scene;
+
+    /// Evaluates terms in the order of their plan. `dt` is by how much states are advanced, s.
+    /// @tparam What which terms: one of Composition::WholeStep, Rates, ...
+    template <class What>
     void run(double dt) {
         step_length = dt;
-        clear_sums<once>();
-        constexpr auto size = once ? Scene::once_plan.size : Scene::plan.size;
-        run_steps<once>(std::make_index_sequence<static_cast<std::size_t>(size)>{});
+        clear_sums<What>();
+        run_steps<What>(std::make_index_sequence<static_cast<std::size_t>(What::plan.size)>{});
     }
 
 private:
     double step_length = 0; ///< by how much states are advanced, s
 
     // Sums start from zero, the acceleration from gravity.
-    template <bool once>
+    template <class What>
     void clear_sums() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) { clear_fields<once>(s, FieldsOf<P>{}); });
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) { clear_fields<What>(s, FieldsOf<P>{}); });
     }
-    template <bool once, class P, class List, class... F>
+    template <class What, class P, class List, class... F>
     void clear_fields(PhaseState<P, List, dim, Real>& s, TypeList<F...>) {
-        constexpr Bits added = once ? Scene::added_once : Scene::added_in_step;
         const auto clear = [&]<class G>(std::type_identity<G>) {
-            if constexpr (added.test(Scene::template column<P, G>) || (!once && std::is_same_v<G, Rate<Velocity>>))
+            constexpr bool starts_from_gravity = What::gravity && std::is_same_v<G, Rate<Velocity>>;
+            if constexpr (What::added.test(Scene::template column<P, G>) || starts_from_gravity)
                 parallel_for(components(G::rank, dim), this->threads, [&](int k) {
-                    Real start = 0;
-                    if constexpr (std::is_same_v<G, Rate<Velocity>>)
-                        start = static_cast<Real>(this->gravity[k]);
+                    const Real start = starts_from_gravity ? static_cast<Real>(this->gravity[k % dim]) : Real(0);
                     std::fill_n(s.column(component_offset<dim, G, List> + k), s.size(), start);
                 });
         };
         (clear(std::type_identity<F>{}), ...);
     }
 
-    template <bool once, std::size_t... k>
+    template <class What, std::size_t... k>
     void run_steps(std::index_sequence<k...>) {
-        (run_step<once, static_cast<int>(k)>(), ...);
+        (run_step<What, static_cast<int>(k)>(), ...);
     }
-    template <bool once, int k>
+    template <class What, int k>
     void run_step() {
-        constexpr Step step = (once ? Scene::once_plan : Scene::plan).steps[static_cast<std::size_t>(k)];
-        using Rows = std::conditional_t<once, typename Scene::OnceRows, typename Scene::StepRows>;
-        using Nodes = typename Pick<Rows, once, k, std::make_index_sequence<static_cast<std::size_t>(step.size)>>::type;
+        constexpr Step step = What::plan.steps[static_cast<std::size_t>(k)];
+        using Nodes = typename Pick<What, k, std::make_index_sequence<static_cast<std::size_t>(step.size)>>::type;
         using P = At<step.phase, Phases>;
         if (this->template state<P>().size() == 0)
             return;
@@ -73,12 +72,11 @@ private:
             particle_loop<P>(Nodes{});
         this->template state<P>().pad();
     }
-    template <class Rows, bool once, int k, class Sequence>
+    template <class What, int k, class Sequence>
     struct Pick;
-    template <class Rows, bool once, int k, std::size_t... r>
-    struct Pick<Rows, once, k, std::index_sequence<r...>> {
-        using type =
-            TypeList<At<(once ? Scene::once_plan : Scene::plan).steps[static_cast<std::size_t>(k)].rows[r], Rows>...>;
+    template <class What, int k, std::size_t... r>
+    struct Pick<What, k, std::index_sequence<r...>> {
+        using type = TypeList<At<What::plan.steps[static_cast<std::size_t>(k)].rows[r], typename What::Rows>...>;
     };
 
     template <class N>

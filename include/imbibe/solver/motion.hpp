@@ -17,60 +17,66 @@ public:
     using Base::for_each_phase;
 
     /// velocity += dt * acceleration, for what moves and is not held; measures the motion.
-    void kick(double dt) {
+    void kick(double dt) { kick_if<Every>(dt); }
+    /// position += dt * (velocity + transport correction), for what moves and is not held.
+    void drift(double dt) { drift_if<Every>(dt); }
+    /// The same for the phases with Chosen<P>::value.
+    template <template <class> class Chosen>
+    void kick_if(double dt) {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves) {
-                const Real by = static_cast<Real>(dt);
-                Real* v = s.field(velocity);
-                const Real* a = s.field(acceleration);
-                const std::size_t stride = s.stride();
-                const Motion start;
-                this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)] = parallel_reduce(
-                    s.size(), this->threads, start,
-                    [&](int begin, int end) {
-                        Real speed2 = 0, acceleration2 = 0;
-                        for (int i = begin; i < end; ++i) {
-                            Real free = 1, v2 = 0, a2 = 0;
-                            if constexpr (contains<Mobility, FieldsOf<P>>)
-                                free = s.field(mobility)[i];
-                            for (std::size_t d = 0; d < dim; ++d) {
-                                const std::size_t k = d * stride + static_cast<std::size_t>(i);
-                                v[k] += by * free * a[k];
-                                v2 += v[k] * v[k];
-                                a2 += free * a[k] * a[k];
-                            }
-                            speed2 = std::max(speed2, v2);
-                            acceleration2 = std::max(acceleration2, a2);
-                        }
-                        return Motion{std::sqrt(static_cast<double>(speed2)),
-                                      std::sqrt(static_cast<double>(acceleration2))};
-                    },
-                    [](const Motion& a_, const Motion& b_) {
-                        return Motion{std::max(a_.speed, b_.speed), std::max(a_.acceleration, b_.acceleration)};
-                    });
-            }
+            if constexpr (P::moves && Chosen<P>::value)
+                measure(s, advance_velocities(s, s.field(velocity), dt));
         });
     }
-    /// position += dt * (velocity + transport correction), for what moves and is not held.
-    void drift(double dt) {
+    template <template <class> class Chosen>
+    void drift_if(double dt) {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves)
-                parallel_blocks(s.size(), 4096, this->threads, [&](int begin, int end) {
-                    const Real by = static_cast<Real>(dt);
-                    for (int d = 0; d < dim; ++d) {
-                        Real* x = s.column(State<P>::template offset<Position> + d);
-                        const Real* v = s.column(State<P>::template offset<Velocity> + d);
-                        for (int i = begin; i < end; ++i) {
-                            Real speed = v[i];
-                            if constexpr (contains<TransportCorrection, FieldsOf<P>>)
-                                speed += s.column(State<P>::template offset<TransportCorrection> + d)[i];
-                            if constexpr (contains<Mobility, FieldsOf<P>>)
-                                speed *= s.field(mobility)[i];
-                            x[i] += by * speed;
-                        }
-                    }
-                });
+            if constexpr (P::moves && Chosen<P>::value)
+                advance_positions(s, s.field(position), dt);
         });
+    }
+
+    /// Keeps a copy of all that is integrated: positions, velocities, states. For integrators with several stages.
+    void remember() {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            auto& copy = std::get<Kept<P>>(kept).values;
+            copy.resize(s.stride() * static_cast<std::size_t>(component_count<dim, KeptFields<P>>));
+            copy_kept(s, copy, KeptFields<P>{});
+        });
+    }
+    /// What was remembered, advanced by dt with the present rates (of positions: the present velocities).
+    /// Neighbours and the order of the particles must not have changed since.
+    void advance_remembered(double dt) {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            auto& copy = std::get<Kept<P>>(kept).values;
+            if constexpr (P::moves) { // positions first: they need the velocities as they are
+                advance_positions(s, copy.data() + kept_offset<P, Position> * s.stride(), dt);
+                measure(s, advance_velocities(s, copy.data() + kept_offset<P, Velocity> * s.stride(), dt));
+            }
+            advance_states(s, copy, dt, typename Scene::template AdvancedOf<P>{});
+            s.pad();
+            if constexpr (State<P>::keeps_reference)
+                this->copy_places_to_image(s);
+        });
+    }
+
+    /// by * (the present position minus the one that was remembered), into a vector field of phase P; 0 for what is
+    /// held.
+    template <class P>
+    void displacement_since_remembered(Real* to, double by) {
+        const auto& s = this->template state<P>();
+        const Real* now = s.field(position);
+        const Real* before = std::get<Kept<P>>(kept).values.data() + kept_offset<P, Position> * s.stride();
+        for (std::size_t d = 0; d < dim; ++d)
+            for (std::size_t i = d * s.stride(); i < d * s.stride() + static_cast<std::size_t>(s.size()); ++i)
+                to[i] = static_cast<Real>(by) * (now[i] - before[i]);
+    }
+    /// Room for one vector per particle of phase P, laid out as its fields are.
+    template <class P>
+    AlignedVector<Real>& spare_vector() {
+        auto& room = std::get<Kept<P>>(kept).spare;
+        room.resize(this->template state<P>().stride() * static_cast<std::size_t>(dim));
+        return room;
     }
 
     /// Measures the greatest speed of every phase; its acceleration is at least gravity. For the first step.
@@ -87,6 +93,109 @@ public:
                     most = std::max(most, v2);
                 }
                 m.speed = std::sqrt(most);
+            }
+        });
+    }
+
+private:
+    template <class P>
+    struct Every : std::true_type {};
+
+    // What is integrated of a phase.
+    template <class P>
+    using KeptFields = Concat<std::conditional_t<P::moves, TypeList<Position, Velocity>, TypeList<>>,
+                              typename Scene::template AdvancedOf<P>>;
+    template <class P, class F>
+    static constexpr std::size_t kept_offset = static_cast<std::size_t>(component_offset<dim, F, KeptFields<P>>);
+    template <class P>
+    struct Kept {
+        AlignedVector<Real> values, spare;
+    };
+    template <class List>
+    struct AllKept;
+    template <class... P>
+    struct AllKept<TypeList<P...>> {
+        using type = std::tuple<Kept<P>...>;
+    };
+    typename AllKept<typename Scene::Phases>::type kept;
+
+    template <class S, class... F>
+    static void copy_kept(const S& s, AlignedVector<Real>& copy, TypeList<F...> list) {
+        [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
+            for (int k = 0; k < components(G::rank, dim); ++k)
+                std::copy_n(s.column(S::template offset<G> + k), s.size(),
+                            copy.data() +
+                                static_cast<std::size_t>(component_offset<dim, G, decltype(list)> + k) * s.stride());
+        };
+        (one(std::type_identity<F>{}), ...);
+    }
+    template <class P, class List, class... F>
+    void advance_states(PhaseState<P, List, dim, Real>& s, const AlignedVector<Real>& from, double dt, TypeList<F...>) {
+        const Real by = static_cast<Real>(dt);
+        [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
+            for (std::size_t k = 0; k < static_cast<std::size_t>(components(G::rank, dim)); ++k) {
+                const int c = static_cast<int>(k);
+                Real* to = s.column(component_offset<dim, G, List> + c);
+                const Real* rate = s.column(component_offset<dim, Rate<G>, List> + c);
+                const Real* old = from.data() + (kept_offset<P, G> + k) * s.stride();
+                for (int i = 0; i < s.size(); ++i)
+                    to[i] = old[i] + by * rate[i];
+            }
+        };
+        (one(std::type_identity<F>{}), ...);
+    }
+
+    // velocity = old + dt * acceleration; the greatest speed and acceleration.
+    template <class P, class List>
+    Motion advance_velocities(PhaseState<P, List, dim, Real>& s, const Real* old, double dt) {
+        const Real by = static_cast<Real>(dt);
+        Real* v = s.field(velocity);
+        const Real* a = s.field(acceleration);
+        const std::size_t stride = s.stride();
+        return parallel_reduce(
+            s.size(), this->threads, Motion{},
+            [&](int begin, int end) {
+                Real speed2 = 0, acceleration2 = 0;
+                for (int i = begin; i < end; ++i) {
+                    Real free = 1, v2 = 0, a2 = 0;
+                    if constexpr (contains<Mobility, List>)
+                        free = s.field(mobility)[i];
+                    for (std::size_t d = 0; d < dim; ++d) {
+                        const std::size_t k = d * stride + static_cast<std::size_t>(i);
+                        v[k] = old[k] + by * free * a[k];
+                        v2 += v[k] * v[k];
+                        a2 += free * a[k] * a[k];
+                    }
+                    speed2 = std::max(speed2, v2);
+                    acceleration2 = std::max(acceleration2, a2);
+                }
+                return Motion{std::sqrt(static_cast<double>(speed2)), std::sqrt(static_cast<double>(acceleration2))};
+            },
+            [](const Motion& one, const Motion& other) {
+                return Motion{std::max(one.speed, other.speed), std::max(one.acceleration, other.acceleration)};
+            });
+    }
+    template <class P, class List>
+    void measure(const PhaseState<P, List, dim, Real>&, const Motion& motion) {
+        this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)] = motion;
+    }
+    // position = old + dt * (velocity + transport correction).
+    template <class P, class List>
+    void advance_positions(PhaseState<P, List, dim, Real>& s, const Real* old, double dt) {
+        parallel_blocks(s.size(), 4096, this->threads, [&](int begin, int end) {
+            const Real by = static_cast<Real>(dt);
+            for (int d = 0; d < dim; ++d) {
+                Real* x = s.column(component_offset<dim, Position, List> + d);
+                const Real* x0 = old + static_cast<std::size_t>(d) * s.stride();
+                const Real* v = s.column(component_offset<dim, Velocity, List> + d);
+                for (int i = begin; i < end; ++i) {
+                    Real speed = v[i];
+                    if constexpr (contains<TransportCorrection, List>)
+                        speed += s.column(component_offset<dim, TransportCorrection, List> + d)[i];
+                    if constexpr (contains<Mobility, List>)
+                        speed *= s.field(mobility)[i];
+                    x[i] = x0[i] + by * speed;
+                }
             }
         });
     }

@@ -114,8 +114,8 @@ public:
                         double here = static_cast<double>(targets.x[k][i]);
                         if (length > 0) // a total-Lagrangian phase is not wrapped
                             here = search::into_period(here, this->periodic.lower[k], length);
-                        distance2 += sq(here - search::image_step(run.shift, d) * length -
-                                        static_cast<double>(sources.x[k][j]));
+                        distance2 +=
+                            sq(here - search::image_step(run.shift, d) * length - static_cast<double>(sources.x[k][j]));
                     }
                     found += distance2 > 0 && distance2 < link.support * link.support;
                 }
@@ -130,6 +130,14 @@ protected:
             return s.image_points();
         else
             return s.points();
+    }
+
+    /// Brings the positions in the copy through which others see a total-Lagrangian phase up to date.
+    template <class S>
+    void copy_places_to_image(S& s) {
+        s.copy_to_image(S::template offset<Position>, dim, this->threads);
+        for (int d = 0; d < dim; ++d)
+            wrap_column(s.image_column(S::template offset<Position> + d), s.size(), d);
     }
 
 private:
@@ -182,14 +190,10 @@ private:
             s.image_order.resize(static_cast<std::size_t>(s.size()));
             for (std::size_t i = 0; i < s.image_order.size(); ++i)
                 s.image_order[i] = static_cast<std::uint32_t>(i);
-            s.copy_to_image(S::template offset<Position>, dim, this->threads);
-            for (int d = 0; d < dim; ++d)
-                wrap_column(s.image_column(S::template offset<Position> + d), s.size(), d);
+            copy_places_to_image(s);
             if (!s.table.sort(grid, s.image_points(), this->threads)) {
                 s.image_order = s.table.order();
-                s.copy_to_image(S::template offset<Position>, dim, this->threads);
-                for (int d = 0; d < dim; ++d)
-                    wrap_column(s.image_column(S::template offset<Position> + d), s.size(), d);
+                copy_places_to_image(s);
             }
         } else if (!s.table.sort(grid, s.points(), this->threads)) {
             s.reorder(s.table.order(), this->threads);

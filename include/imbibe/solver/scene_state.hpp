@@ -34,7 +34,7 @@ struct Motion {
 template <int dim, class Real, class Scene>
 class SceneState {
 public:
-    static constexpr int width = native_width<Real>;
+    static constexpr int dimension = dim, width = native_width<Real>;
     template <class P>
     using FieldsOf = typename Scene::template FieldsOf<P>;
     template <class P>

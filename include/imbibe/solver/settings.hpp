@@ -21,10 +21,10 @@ struct Settings {
     double max_time_step = 1e-2;
     /// Lower end and length of the periodic sides, m; a length of 0: not periodic.
     std::array<double, static_cast<std::size_t>(dim)> periodic_lower{}, periodic_length{};
-    /// The place from which positions are stored, m. In float a coordinate of 10,000 spacings has lost so many digits that
-    /// forces are wrong by 2e-3 (double: nothing); with an origin near the particles they are not, wherever that is.
-    /// Points that are added and predicates on points are in the coordinates of the world; the views `scene[phase]`, and
-    /// snapshots, are relative to the origin.
+    /// The place from which positions are stored, m. In float a coordinate of 10,000 spacings has lost so many digits
+    /// that forces are wrong by 2e-3 (double: nothing); with an origin near the particles they are not, wherever that
+    /// is. Points that are added and predicates on points are in the coordinates of the world; the views
+    /// `scene[phase]`, and snapshots, are relative to the origin.
     std::array<double, static_cast<std::size_t>(dim)> origin{};
     /// Threads; 0: all of the machine.
     int threads = 0;

@@ -233,10 +233,19 @@ public:
         std::vector<TimeStepLimit> limits;
         phase_limits(limits, Phases{});
         coupling_limits(limits, Couplings{});
-        std::sort(limits.begin(), limits.end(),
-                  [](const TimeStepLimit& a, const TimeStepLimit& b) { return a.seconds < b.seconds; });
-        return limits;
+        return sorted(limits);
     }
+    /// Does one phase take shorter steps than the others (time/subcycled.hpp)?
+    static constexpr bool subcycles = requires { typename Integrator::Fast; };
+    /// The limits on the steps of the phase that is sub-cycled, without the CFL number, shortest first.
+    std::vector<TimeStepLimit> substep_limits() const requires subcycles {
+        std::vector<TimeStepLimit> limits;
+        using Fast = typename Integrator::Fast;
+        limits_of_phase<Fast>(limits, typename Fast::terms{});
+        return sorted(limits);
+    }
+    /// How many steps the sub-cycled phase took within the last one.
+    int substeps() const requires subcycles { return substeps_; }
     /// The step that would be taken next, and what limits it.
     TimeStepLimit next_step() const {
         if (settings_.time_step > 0)
@@ -314,7 +323,9 @@ public:
         check_couplings(Couplings{});
         engine_.find_reference_neighbours();
         engine_.find_neighbours();
-        engine_.template run<true>(0);
+        engine_.template run<typename Scene::Once>(0);
+        if constexpr (requires { Integrator::start(engine_); })
+            Integrator::start(engine_);
         engine_.measure_motion();
         prepared_ = true;
     }
@@ -325,13 +336,24 @@ private:
     double time_ = 0;
     long long steps_ = 0;
     bool prepared_ = false;
+    int substeps_ = 1;
     TimeStepLimit last_step_{0, "none yet", "start"};
     std::vector<std::string> warnings_;
 
     void take(const TimeStepLimit& chosen) {
         last_step_ = chosen;
         try {
-            Integrator::step(engine_, chosen.seconds);
+            if constexpr (subcycles) {
+                const double within = settings_.cfl * shortest(substep_limits()).seconds;
+                const double count = std::ceil(chosen.seconds / within * (1 - 1e-9));
+                require(count < 1e6, "a step of ", chosen.seconds, " s asks for ", count, " steps of ", within, " s (",
+                        shortest(substep_limits()).reason, ") of phase ",
+                        detail::type_name<typename Integrator::Fast>(), "; at most a million are taken");
+                substeps_ = std::max(1, static_cast<int>(count));
+                Integrator::step(engine_, chosen.seconds, substeps_);
+            } else {
+                Integrator::step(engine_, chosen.seconds);
+            }
         } catch (const Error& error) {
             throw Error(text(error.what(), "; step ", steps_, ", time ", time_, " s, time step ", chosen.seconds,
                              " s limited by ", chosen.reason, " (", chosen.where, "). The shortest limit is ",
@@ -339,6 +361,14 @@ private:
         }
         time_ += chosen.seconds;
         ++steps_;
+    }
+    static std::vector<TimeStepLimit> sorted(std::vector<TimeStepLimit> limits) {
+        std::sort(limits.begin(), limits.end(),
+                  [](const TimeStepLimit& a, const TimeStepLimit& b) { return a.seconds < b.seconds; });
+        return limits;
+    }
+    TimeStepLimit shortest(const std::vector<TimeStepLimit>& limits) const {
+        return limits.empty() ? TimeStepLimit{settings_.max_time_step, "max_time_step", "settings"} : limits.front();
     }
     std::string describe_shortest() const {
         const auto limits = time_step_limits();
@@ -448,7 +478,18 @@ private:
     // ---- limits on the time step ----
     template <class... P>
     void phase_limits(std::vector<TimeStepLimit>& limits, TypeList<P...>) const {
-        (limits_of_phase<P>(limits, typename P::terms{}), ...);
+        const auto unless_subcycled = [&]<class Q>(std::type_identity<Q>) {
+            if constexpr (!is_subcycled<Q>())
+                limits_of_phase<Q>(limits, typename Q::terms{});
+        };
+        (unless_subcycled(std::type_identity<P>{}), ...);
+    }
+    template <class P>
+    static constexpr bool is_subcycled() {
+        if constexpr (subcycles)
+            return std::is_same_v<P, typename Integrator::Fast>;
+        else
+            return false;
     }
     template <class P>
     TimeStepInput input_of() const {

@@ -39,7 +39,9 @@ public:
     static constexpr int component_total = component_count<dim, List>;
     template <class F>
     static constexpr int offset = component_offset<dim, F, List>;
-    static constexpr bool keeps_reference = contains<ReferencePosition, List>;
+    template <class F>
+    static constexpr bool stores = contains<F, List>;
+    static constexpr bool keeps_reference = stores<ReferencePosition>;
 
     P material{};
     std::vector<std::uint32_t> ids; ///< the number of each particle in the order in which they were added

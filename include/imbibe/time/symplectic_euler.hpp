@@ -13,7 +13,7 @@ struct SymplecticEuler {
     template <class Engine>
     static void step(Engine& engine, double dt) {
         engine.find_neighbours();
-        engine.template run<false>(dt);
+        engine.template run<typename Engine::Composition::WholeStep>(dt);
         engine.kick(dt);
         engine.drift(dt);
     }

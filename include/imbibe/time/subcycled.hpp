@@ -1,0 +1,95 @@
+// Sub-cycling: one phase takes several short steps while the others take a long one.
+#pragma once
+
+#include <imbibe/core/term.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace imbibe {
+
+/// The mean velocity of a particle over the last long step, m/s: the one with which it got from where the others saw
+/// it then to where they see it now.
+struct MeanVelocity : Field<Rank::vector> {
+    static constexpr std::string_view name = "mean_velocity", unit = "m/s";
+};
+inline constexpr MeanVelocity mean_velocity{};
+
+/// Lets a phase be the fast one of `Subcycled`.
+struct TimeAveragedMotion {
+    using stores = Fields<mean_velocity>;
+};
+
+/// SymplecticEuler for the scene, with steps that the limits of phase `Fast` do not shorten: within each, `Fast` takes
+/// as many steps of its own as its limits ask for, under the force that its couplings had at the beginning. What the
+/// others see of it is its position and its mean velocity over the last step, so that their densities follow the
+/// volume it has swept.
+///
+/// For a stiff structure in soft company: metal or rubber in water, where the solid's sound speed is several times the
+/// fluid's. `Fast` must list TimeAveragedMotion. Not where `Fast` is so light that the fluid's force must follow each
+/// of its steps (densities far below the fluid's), and without use where the limits are alike: the terms of `Fast` are
+/// evaluated as often, its couplings and the rest less often.
+///
+/// A solid that is not total-Lagrangian keeps its neighbours during a long step.
+///
+/// Source: Zhang, Rezavand and Hu (2021), multi-resolution fluid-structure interaction, the time stepping; mean
+/// accelerations, which theirs passes on too, are not needed by the couplings here.
+template <class Fast_>
+struct Subcycled {
+    using Fast = Fast_;
+
+    template <class Engine>
+    static void start(Engine& engine) {
+        static_assert(Engine::template State<Fast>::template stores<MeanVelocity>,
+                      "imbibe: list the term TimeAveragedMotion in the phase that Subcycled names");
+        engine.template run<typename Engine::Composition::template OwnTerms<Fast>>(0);
+        const auto& fast = engine.template state<Fast>();
+        copy(engine, fast.field(velocity), engine.template state<Fast>().field(mean_velocity));
+    }
+    /// @param substeps how many steps `Fast` takes
+    template <class Engine>
+    static void step(Engine& engine, double dt, int substeps) {
+        using Composition = typename Engine::Composition;
+        auto& fast = engine.template state<Fast>();
+        engine.find_neighbours();
+
+        exchange(engine); // the others see the mean velocity
+        engine.template run<typename Composition::template AllButOwnTerms<Fast>>(dt);
+        exchange(engine);
+        engine.template kick_if<IsOther>(dt);
+        engine.template drift_if<IsOther>(dt);
+
+        engine.remember();
+        auto& force = engine.template spare_vector<Fast>(); // of the couplings and gravity
+        copy(engine, fast.field(acceleration), force.data());
+        for (int k = 0; k < substeps; ++k) {
+            copy(engine, force.data(), fast.field(acceleration));
+            engine.template run<typename Composition::template OwnTerms<Fast>>(dt / substeps);
+            engine.template kick_if<IsFast>(dt / substeps);
+            engine.template drift_if<IsFast>(dt / substeps);
+        }
+        engine.template displacement_since_remembered<Fast>(fast.field(mean_velocity), 1 / dt);
+    }
+
+private:
+    template <class P>
+    struct IsFast : std::is_same<P, Fast> {};
+    template <class P>
+    struct IsOther : std::bool_constant<!std::is_same_v<P, Fast>> {};
+
+    template <class Engine, class Real>
+    static void copy(Engine& engine, const Real* from, Real* to) {
+        const auto& s = engine.template state<Fast>();
+        for (int d = 0; d < Engine::dimension; ++d)
+            std::copy_n(from + static_cast<std::size_t>(d) * s.stride(), s.size(),
+                        to + static_cast<std::size_t>(d) * s.stride());
+    }
+    template <class Engine>
+    static void exchange(Engine& engine) {
+        auto& s = engine.template state<Fast>();
+        auto *v = s.field(velocity), *mean = s.field(mean_velocity);
+        std::swap_ranges(v, v + Engine::dimension * s.stride(), mean);
+    }
+};
+
+} // namespace imbibe

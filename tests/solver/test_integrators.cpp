@@ -1,0 +1,168 @@
+// Integrators: their order, what they conserve, and sub-cycling against plain stepping.
+#include <catch_shim.hpp>
+
+#include <imbibe/imbibe.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace sph = imbibe;
+using sph::density, sph::position, sph::velocity, sph::mass;
+using C2 = sph::WendlandC2;
+using Eigen::MatrixXd;
+
+struct Rubber : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<>, sph::StVenantKirchhoff,
+                           sph::TotalLagrangianForce<>, sph::Clamped, sph::TimeAveragedMotion> {};
+struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>> {};
+struct Contact : sph::Coupling<Water, Rubber, sph::Into<Rubber, sph::PressureExtrapolation<C2>>,
+                               sph::VolumePressure<C2>, sph::Into<Water, sph::VolumeContinuity<C2>>> {};
+
+constexpr double spacing = 0.1;
+
+/// What is integrated, in the order in which the particles were added: positions, velocities, densities if there are.
+template <bool with_density, class View>
+MatrixXd in_order(const View& phase) {
+    MatrixXd all(phase.size(), with_density ? 5 : 4);
+    for (int i = 0; i < phase.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(phase.ids()[static_cast<std::size_t>(i)]);
+        all.block(k, 0, 1, 2) = phase[position].row(i).template cast<double>();
+        all.block(k, 2, 1, 2) = phase[velocity].row(i).template cast<double>();
+        if constexpr (with_density)
+            all(k, 4) = static_cast<double>(phase[density](i, 0)) * 1e-3;
+    }
+    return all;
+}
+
+/// A block of rubber that is let go while it is being stretched.
+template <class Integrator>
+MatrixXd rubber_after(double time, int steps) {
+    sph::Solver<2, double, Integrator, Rubber> scene({.support_radius = 2.6 * spacing});
+    const double E = 1e6, nu = 0.3;
+    const auto rubber = scene.add(Rubber{{.density = 1000,
+                                          .sound_speed = sph::sound_speed_of(E, nu, 1000),
+                                          .shear_modulus = sph::shear_modulus_of(E, nu)}},
+                                  sph::fill(sph::Box<2>{{0, 0}, {0.6, 0.4}}, spacing), spacing);
+    auto view = scene[rubber];
+    for (int i = 0; i < view.size(); ++i)
+        view[velocity].row(i) << 4 * (view[position](i, 0) - 0.3), view[position](i, 0) * 2;
+    for (int k = 0; k < steps; ++k)
+        scene.step(time / steps);
+    return in_order<false>(scene[rubber]);
+}
+
+/// A standing wave of sound in a periodic square of water.
+template <class Integrator>
+MatrixXd water_after(double time, int steps) {
+    sph::Solver<2, double, Integrator, Water> scene(
+        {.support_radius = 2.6 * spacing, .periodic_lower = {0, 0}, .periodic_length = {1, 1}});
+    const auto water = scene.add(Water{{.density = 1000, .sound_speed = 10}},
+                                 sph::fill(sph::Box<2>{{0, 0}, {1, 1}}, spacing), spacing);
+    auto view = scene[water];
+    for (int i = 0; i < view.size(); ++i) {
+        view[velocity].row(i) << 0.1 * std::sin(2 * std::numbers::pi * view[position](i, 0)), 0;
+        view[density](i, 0) *=
+            1 + 0.01 * std::sin(2 * std::numbers::pi * (view[position](i, 0) + view[position](i, 1)));
+    }
+    for (int k = 0; k < steps; ++k)
+        scene.step(time / steps);
+    return in_order<true>(scene[water]);
+}
+
+/// The order seen between `steps` and twice as many, against `exact`.
+template <class Run>
+double order_of(const Run& run, int steps, const MatrixXd& exact) {
+    const double coarse = (run(steps) - exact).norm(), fine = (run(2 * steps) - exact).norm();
+    INFO("errors " << coarse << " and " << fine << " of " << exact.norm());
+    REQUIRE(coarse < 0.05 * exact.norm());
+    return std::log2(coarse / fine);
+}
+
+} // namespace
+
+TEST_CASE("Integrators have the order they should, in a solid", "[integrators]") {
+    const double time = 0.012;
+    const MatrixXd exact = rubber_after<sph::MidpointRungeKutta>(time, 4000);
+    const auto order = [&]<class Integrator>(Integrator) {
+        return order_of([&](int steps) { return rubber_after<Integrator>(time, steps); }, 60, exact);
+    };
+    CHECK(order(sph::SymplecticEuler{}) == Approx(1).margin(0.15));
+    CHECK(order(sph::Leapfrog{}) == Approx(2).margin(0.15));
+    CHECK(order(sph::PositionVerlet{}) == Approx(2).margin(0.15));
+    CHECK(order(sph::MidpointRungeKutta{}) == Approx(2).margin(0.15));
+    CHECK(order(sph::PredictorCorrector{}) == Approx(2).margin(0.15));
+}
+
+TEST_CASE("Integrators have the order they should, in a fluid", "[integrators]") {
+    const double time = 0.02;
+    const MatrixXd exact = water_after<sph::MidpointRungeKutta>(time, 2000);
+    const auto order = [&]<class Integrator>(Integrator) {
+        return order_of([&](int steps) { return water_after<Integrator>(time, steps); }, 40, exact);
+    };
+    CHECK(order(sph::SymplecticEuler{}) == Approx(1).margin(0.15));
+    CHECK(order(sph::MidpointRungeKutta{}) == Approx(2).margin(0.15));
+    CHECK(order(sph::PredictorCorrector{}) == Approx(2).margin(0.15));
+}
+
+namespace {
+
+/// A drop of water thrown against a block of rubber, out of reach of anything else.
+template <class Integrator>
+struct Throw {
+    sph::Solver<2, double, Integrator, Water, Rubber, Contact> scene;
+    sph::PhaseHandle<Water> water;
+    sph::PhaseHandle<Rubber> rubber;
+
+    explicit Throw(double young_modulus = 1e5) : scene({.gravity = {0, -9.8}, .support_radius = 2.6 * spacing}) {
+        rubber = scene.add(Rubber{{.density = 900,
+                                   .sound_speed = sph::sound_speed_of(young_modulus, 0.3, 900),
+                                   .shear_modulus = sph::shear_modulus_of(young_modulus, 0.3)}},
+                           sph::fill(sph::Box<2>{{0, 0}, {1, 0.4}}, spacing), spacing);
+        water = scene.add(Water{{.density = 1000, .sound_speed = 20}},
+                          sph::fill(sph::Box<2>{{0.3, 0.42}, {0.7, 0.82}}, spacing), spacing);
+        scene[water][velocity].col(1).setConstant(-1);
+    }
+    Eigen::RowVector2d momentum() const {
+        const auto w = scene[water], r = scene[rubber];
+        return w[mass].col(0).transpose() * w[velocity] + r[mass].col(0).transpose() * r[velocity];
+    }
+    double total_mass() const { return scene[water][mass].sum() + scene[rubber][mass].sum(); }
+};
+
+} // namespace
+
+TEST_CASE("Sub-cycling with one substep is symplectic Euler", "[integrators]") {
+    Throw<sph::SymplecticEuler> plain;
+    Throw<sph::Subcycled<Rubber>> cycled;
+    const double dt = 0.2 * plain.scene.next_step().seconds;
+    for (int k = 0; k < 200; ++k) {
+        plain.scene.step(dt);
+        cycled.scene.step(dt);
+        REQUIRE(cycled.scene.substeps() == 1);
+    }
+    CHECK((in_order<true>(plain.scene[plain.water]) - in_order<true>(cycled.scene[cycled.water])).norm() < 1e-9);
+    CHECK((in_order<false>(plain.scene[plain.rubber]) - in_order<false>(cycled.scene[cycled.rubber])).norm() < 1e-9);
+    CHECK(in_order<false>(plain.scene[plain.rubber]).rightCols(2).norm() > 0.1); // it was hit
+}
+
+TEST_CASE("Sub-cycling conserves momentum, takes long steps, and comes to the same end", "[integrators]") {
+    const double stiff = 2e7; // sound in rubber: nine times that in water
+    Throw<sph::SymplecticEuler> plain(stiff);
+    Throw<sph::Subcycled<Rubber>> cycled(stiff);
+    const Eigen::RowVector2d before = cycled.momentum();
+    CHECK(cycled.scene.next_step().seconds > 4 * plain.scene.next_step().seconds);
+    CHECK(cycled.scene.time_step_limits().size() + cycled.scene.substep_limits().size() ==
+          plain.scene.time_step_limits().size());
+    const double end = 0.1;
+    plain.scene.run_until(end);
+    cycled.scene.run_until(end);
+    CHECK(cycled.scene.substeps() >= 4);
+    CHECK(cycled.scene.steps() * 4 < plain.scene.steps());
+    const Eigen::RowVector2d weight(0, -9.8 * cycled.total_mass() * end);
+    CHECK((cycled.momentum() - before - weight).norm() < 1e-10 * before.norm());
+    // the flight of the two: the place of the mean of the rubber, which the impact has set in motion
+    const Eigen::RowVector2d mean_plain = plain.scene[plain.rubber][velocity].colwise().mean(),
+                             mean_cycled = cycled.scene[cycled.rubber][velocity].colwise().mean();
+    CHECK((mean_plain - mean_cycled).norm() < 0.01 * mean_plain.norm());
+}
