@@ -35,9 +35,13 @@ template <class Real>
 using Scene = sph::Solver<2, Real, sph::SymplecticEuler, Water, Block, Contact>;
 
 template <class Real>
-Scene<Real> make(double density = 1000) {
+Scene<Real> make(double density = 1000, int search_interval = 1) {
     const double dx = 0.05;
-    Scene<Real> scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .periodic_length = {1, 0}, .threads = 2});
+    Scene<Real> scene({.gravity = {0, -9.81},
+                       .support_radius = 2.6 * dx,
+                       .periodic_length = {1, 0},
+                       .search_interval = search_interval,
+                       .threads = 2});
     scene.add(Water{{.density = density, .sound_speed = 20}}, sph::fill(sph::Box<2>({0, 0.22}, {1, 0.72}), dx), dx);
     Block block;
     block.density = 1200;
@@ -95,6 +99,30 @@ TEMPLATE_TEST_CASE("A restarted run is the uninterrupted one, bit by bit", "[che
     CHECK((bits(second) == bits(whole)));
     CHECK(second.last_step().seconds == whole.last_step().seconds);
     REQUIRE(whole.particles() < make<TestType>().particles()); // some had left
+}
+
+TEST_CASE("Where neighbours serve several steps, a timed checkpoint waits for the next search", "[checkpoint]") {
+    const auto path = output_test::fresh("checkpoint_interval") / "run";
+    auto whole = make<float>(1000, 3), watched = make<float>(1000, 3);
+    const auto steps = [](auto& scene, int count) {
+        for (int k = 0; k < count; ++k)
+            scene.step();
+    };
+    steps(whole, 90);
+    sph::Checkpoints always(path, 0);
+    int written = 0;
+    for (int k = 0; k < 50; ++k) {
+        steps(watched, 1);
+        written += always(watched, [] { return sph::CheckpointNotes{}; });
+    }
+    CHECK(written > 10);
+    CHECK(written < 30);
+    auto second = make<float>(1000, 3);
+    sph::read_checkpoint(second, path);
+    steps(second, static_cast<int>(90 - second.steps()));
+    steps(watched, 40);
+    CHECK((bits(watched) == bits(whole)));
+    CHECK((bits(second) == bits(whole)));
 }
 
 TEST_CASE("A checkpoint of a scene before its first step", "[checkpoint]") {

@@ -209,7 +209,9 @@ CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path)
     return notes;
 }
 
-/// An observer for `run_until` that writes a checkpoint every so many seconds of wall time.
+/// An observer for `run_until` that writes a checkpoint every so many seconds of wall time, where Settings::
+/// search_interval is above 1 at the next step that searches: so when they are written does not change a bit of the
+/// run.
 class Checkpoints {
 public:
     /// @param seconds of wall time between two checkpoints
@@ -226,7 +228,7 @@ public:
     /// The same with the program's own numbers, which `notes()` returns. True if a checkpoint was written.
     template <class Scene, class Notes>
     bool operator()(Scene& scene, const Notes& notes) {
-        if (std::chrono::duration<double>(Clock::now() - written_).count() < seconds_)
+        if (std::chrono::duration<double>(Clock::now() - written_).count() < seconds_ || !scene.search_is_due())
             return false;
         write_checkpoint(scene, path_, notes());
         written_ = Clock::now();

@@ -27,6 +27,7 @@ struct SpongeCase {
     double artificial_viscosity = 1; ///< alpha of Eq. (16) (`PaperSponge`)
     double time_step = 0;            ///< s; 0: the composition's own choice
     double cfl = 0.75;               ///< share of the shortest time step limit that an adaptive step takes
+    int search_interval = 1;         ///< steps between two searches for neighbours
     double drain = 30e-3;            ///< how far below the slab water leaves the scene, m
     double freeboard = 0;            ///< how far the walls reach above the water, m; 0: as far as it is seen to splash
     bool strip = false;              ///< one row of pores, periodic in y, instead of five rows in a tank
@@ -104,6 +105,7 @@ struct SpongeCase {
                       .support_radius = support,
                       .cfl = cfl,
                       .time_step = time_step,
+                      .search_interval = search_interval,
                       .threads = threads};
         if (strip) {
             s.periodic_lower[1] = 0;

@@ -31,8 +31,10 @@ public:
     template <template <class> class Chosen>
     void drift_if(double dt) {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves && Chosen<P>::value)
+            if constexpr (P::moves && Chosen<P>::value) {
                 advance_positions(s, s.field(position), dt);
+                note_way<P>(dt);
+            }
         });
     }
 
@@ -51,6 +53,7 @@ public:
             auto& copy = std::get<Kept<P>>(kept).values;
             if constexpr (P::moves) { // positions first: they need the velocities as they are
                 advance_positions(s, copy.data() + kept_offset<P, Position> * s.stride(), dt);
+                note_way<P>(dt);
                 measure(s, advance_velocities(s, copy.data() + kept_offset<P, Velocity> * s.stride(), dt));
             }
             advance_states(s, copy, dt, typename Scene::template AdvancedOf<P>{});
@@ -178,6 +181,15 @@ private:
     template <class P, class List>
     void measure(const PhaseState<P, List, dim, Real>&, const Motion& motion) {
         this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)] = motion;
+    }
+    // With a transport correction it is not known how far it was: then neighbours are found anew in every step.
+    template <class P>
+    void note_way(double dt) {
+        constexpr auto k = static_cast<std::size_t>(Scene::template phase_index<P>);
+        if constexpr (contains<TransportCorrection, FieldsOf<P>>)
+            this->travelled[k] = std::numeric_limits<double>::infinity();
+        else
+            this->travelled[k] += dt * this->motions[k].speed;
     }
     // position = old + dt * (velocity + transport correction).
     template <class P, class List>

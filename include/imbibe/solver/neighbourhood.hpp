@@ -4,6 +4,8 @@
 
 #include <imbibe/solver/scene_state.hpp>
 
+#include <limits>
+
 namespace imbibe::detail {
 
 template <int dim, class Real, class Scene>
@@ -42,8 +44,40 @@ public:
         });
     }
 
-    /// In every step: sorts what moves and finds the neighbours of now.
+    /// How many steps neighbours serve; see Settings::search_interval.
+    int search_interval = 1;
+
+    /// In every step: sorts what moves and finds the neighbours of now, if it is due.
     void find_neighbours() {
+        ++steps_since_search;
+        if (search_is_due(0))
+            search_neighbours();
+        else
+            for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+                if constexpr (State<P>::keeps_reference)
+                    if (s.size() > 0 && takes_part<P>())
+                        copy_places_to_image(s);
+                s.pad();
+            });
+    }
+    /// Will `find_neighbours` search, if it is called `ahead` calls from now and nothing travels far until then?
+    bool search_is_due(int ahead = 1) const {
+        double farthest = 0;
+        for (double way : travelled)
+            farthest = std::max(farthest, way);
+        bool disturbed = false;
+        for_each_phase(
+            [&]<class P>(std::type_identity<P>, const State<P>& s) { disturbed = disturbed || s.disturbed; });
+        return steps_since_search + ahead >= search_interval || disturbed || !(farthest <= farthest_allowed);
+    }
+    /// Makes the next search due.
+    void forget_neighbours() { steps_since_search = search_interval; }
+
+    /// Sorts what moves and finds the neighbours of now.
+    void search_neighbours() {
+        steps_since_search = 0;
+        travelled.fill(0);
+        farthest_allowed = std::numeric_limits<double>::infinity();
         search::Bounds<dim> all;
         long long particles = 0;
         double greatest_support = 0;
@@ -69,6 +103,7 @@ public:
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             if (s.size() > 0 && takes_part<P>())
                 sort(s);
+            s.disturbed = false;
             s.pad();
         });
         this->for_each_link([&]<class L>(L& link) {
@@ -76,6 +111,7 @@ public:
                 auto& a = this->template state<typename L::A>();
                 auto& b = this->template state<typename L::B>();
                 link.support = this->template support<typename L::A, typename L::B>();
+                farthest_allowed = std::min(farthest_allowed, 0.025 * link.support);
                 if (a.size() == 0 || b.size() == 0 || this->template are_apart<typename L::A, typename L::B>())
                     link.runs.clear_all(a.size());
                 else
@@ -123,6 +159,9 @@ public:
     }
 
 protected:
+    /// How far the particles of each phase can have travelled since the last search, m.
+    std::array<double, static_cast<std::size_t>(Base::Phases::size)> travelled{};
+
     /// The points of a phase as others see it: in the order of the cells.
     template <class S>
     static search::Points<dim, Real> seen_points(const S& s) {
@@ -142,6 +181,8 @@ protected:
 
 private:
     search::Grid<dim> grid;
+    int steps_since_search = 0;
+    double farthest_allowed = 0; ///< m
 
     /// Does any sweep over the neighbours of now involve phase P?
     template <class P>

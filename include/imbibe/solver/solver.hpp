@@ -55,6 +55,8 @@ public:
         require(std::isfinite(with.time_step) && with.time_step >= 0, "time_step = ", with.time_step,
                 " s; it must not be negative (0 means adaptive)");
         require(with.max_time_step > 0, "max_time_step = ", with.max_time_step, " s; it must be above 0 s");
+        require(with.search_interval >= 1, "search_interval = ", with.search_interval,
+                "; it must be at least 1 (a search in every step)");
         for (double lower : with.periodic_lower)
             require(std::isfinite(lower), "a periodic_lower of ", lower, " m; it must be a finite number");
         for (double coordinate : with.origin)
@@ -66,6 +68,7 @@ public:
                     " m");
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
+        engine_.search_interval = with.search_interval;
         engine_.threads = with.threads > 0 ? with.threads : available_threads();
         for (std::size_t d = 0; d < dim; ++d)
             engine_.periodic.lower[d] = with.periodic_lower[d] - with.origin[d];
@@ -284,6 +287,9 @@ public:
             (observers(*this), ...);
         }
     }
+    /// Is the next step one that finds neighbours anew? Then a run that is continued from here, which must find them,
+    /// goes on as this one does, to the last bit.
+    bool search_is_due() const { return engine_.search_is_due(); }
     /// Throws Error, with `words` before it, if a coordinate of any particle is not a finite number.
     void require_finite(const std::string& words) const {
         engine_.for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
@@ -308,9 +314,10 @@ public:
         archive(last_step_.where);
         if constexpr (Archive::reading) {
             engine_.find_reference_neighbours();
-            engine_.find_neighbours();
+            engine_.search_neighbours();
             prepared_ = true;
         }
+        engine_.forget_neighbours(); // so that this run and one that is continued from here stay the same
         engine_.archive_motion(archive);
     }
     /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
@@ -322,7 +329,7 @@ public:
         check_phases(Phases{});
         check_couplings(Couplings{});
         engine_.find_reference_neighbours();
-        engine_.find_neighbours();
+        engine_.search_neighbours();
         engine_.template run<typename Scene::Once>(0);
         if constexpr (requires { Integrator::start(engine_); })
             Integrator::start(engine_);

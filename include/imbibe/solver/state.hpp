@@ -87,6 +87,7 @@ public:
 
     /// Changes the number of particles; the values of those that stay are kept, new ones are zero.
     void resize(int count) {
+        disturbed = true;
         const std::size_t wanted = stride_for(count);
         if (wanted != step) {
             AlignedVector<Real> grown(wanted * static_cast<std::size_t>(component_total), Real(0));
@@ -126,6 +127,7 @@ public:
 
     /// Keeps only the particles for which keep[i] is true.
     void compress(const std::vector<char>& keep) {
+        disturbed = true;
         std::vector<std::uint32_t> order;
         for (int i = 0; i < n; ++i)
             if (keep[static_cast<std::size_t>(i)])
@@ -162,6 +164,7 @@ public:
     search::CellTable table;                ///< of the present positions
     std::vector<std::uint32_t> image_order; ///< image[k] is particle image_order[k]
     search::Bounds<dim> bounds;
+    bool disturbed = true; ///< were particles added or removed since their neighbours were found?
     std::size_t bytes() const {
         return (values.capacity() + spare.capacity() + image.capacity()) * sizeof(Real) +
                ids.capacity() * sizeof(std::uint32_t);
