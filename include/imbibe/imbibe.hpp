@@ -15,6 +15,7 @@
 #include <imbibe/kernels/kernels.hpp>
 #include <imbibe/monitor/displacement.hpp>
 #include <imbibe/monitor/energy.hpp>
+#include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/snapshots.hpp>
 #include <imbibe/output/table.hpp>

@@ -1,0 +1,244 @@
+// Watches a run and ends it with a cause where it has gone wrong, before its numbers are worth nothing.
+#pragma once
+
+#include <imbibe/monitor/energy.hpp>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace imbibe {
+
+/// What a guard found.
+enum class Cause {
+    not_finite,    ///< a position, velocity or density is not a finite number
+    too_fast,      ///< a particle is faster than sound
+    wrong_density, ///< a density is out of bounds
+    left_domain,   ///< a particle is outside the domain
+    energy         ///< energy has come from nowhere
+};
+
+/// Thrown by a Guard: what, where, when. The message says it in a sentence, with the likely reason and a remedy.
+class Diverged : public Error {
+public:
+    Diverged(const std::string& message, Cause what, std::string in_phase, std::vector<double> where, double when,
+             long long step)
+        : Error(message), cause(what), phase(std::move(in_phase)), position(std::move(where)), time(when), steps(step) {
+    }
+    Cause cause;
+    std::string phase;            ///< empty where the whole scene is meant
+    std::vector<double> position; ///< of the particle, m; empty where no one particle is meant
+    double time;                  ///< s
+    long long steps;
+};
+
+/// The bounds that a Guard keeps a scene in.
+template <int dim>
+struct GuardSettings {
+    /// Steps between two looks at all particles. Between them only the greatest speeds are looked at.
+    int interval = 10;
+    /// The greatest speed, in sound speeds of the phase. A weakly compressible scene is wrong well before 1.
+    double speed = 1;
+    /// Bounds of the density, as shares of that at rest.
+    double least_density = 0.5, greatest_density = 1.5;
+    /// The domain, m: a particle outside ends the run. As wide as the tank and a spacing more, it notices leaks.
+    std::array<double, static_cast<std::size_t>(dim)> lower = filled(-std::numeric_limits<double>::infinity()),
+                                                      upper = filled(std::numeric_limits<double>::infinity());
+    /// How much kinetic and potential energy may appear, as a share of what the scene turns over (its kinetic energy,
+    /// or the potential energy that has been released, whichever is more). Infinite: not looked at, as for scenes that
+    /// start under stress or that something drives. Not looked at either while a wall moves.
+    double energy = 0.2;
+
+    void check() const {
+        require(interval >= 1, "Guard: interval = ", interval, " steps; it must be at least 1");
+        require(speed > 0, "Guard: speed = ", speed, " sound speeds; it must be above 0");
+        require(least_density < 1 && greatest_density > 1, "Guard: the bounds of the density are ", least_density,
+                " and ", greatest_density, " of that at rest; the first must be below 1, the second above");
+        for (std::size_t d = 0; d < dim; ++d)
+            require(lower[d] < upper[d], "Guard: the domain ends at ", upper[d], " m where it begins at ", lower[d],
+                    " m");
+        require(energy > 0, "Guard: energy = ", energy, " (a share); it must be above 0");
+    }
+
+private:
+    static constexpr std::array<double, static_cast<std::size_t>(dim)> filled(double x) {
+        std::array<double, static_cast<std::size_t>(dim)> all{};
+        all.fill(x);
+        return all;
+    }
+};
+
+/// An observer for `run_until` that throws Diverged where the scene is out of its bounds. Without one nothing of this
+/// is computed.
+template <int dim>
+class Guard {
+public:
+    /// @throws Error for a bound out of range
+    explicit Guard(const GuardSettings<dim>& with = {}) : settings_(with) { with.check(); }
+
+    /// The observer: a glance after every step, a look after every `interval` steps.
+    template <class Scene>
+    void operator()(const Scene& scene) {
+        if (scene.steps() % settings_.interval == 0)
+            look(scene);
+        else
+            glance(scene);
+    }
+    /// Looks at all particles now, for example before a checkpoint is written, so that it is a good one.
+    /// @throws Diverged
+    template <class Scene>
+    void look(const Scene& scene) {
+        static_assert(Scene::dimension == dim, "imbibe: a Guard is of its scene's dimension");
+        scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
+            look_at(scene, scene[PhaseHandle<P>{}], detail::type_name<P>());
+        });
+        look_at_energy(scene);
+        glance(scene);
+    }
+
+private:
+    GuardSettings<dim> settings_;
+    struct Balance {
+        double energy, kinetic, potential;
+        long long particles;
+    };
+    std::optional<Balance> start_; ///< at the first look
+    double kinetic_most_ = 0, rebased_ = 0;
+
+    template <class Scene>
+    void glance(const Scene& scene) const {
+        scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
+            if constexpr (P::moves) {
+                const double most = settings_.speed * s.material.sound_speed;
+                const double fastest = scene.engine().template motion<P>().speed;
+                if (s.size() > 0 && most > 0 && fastest > most) {
+                    const auto v = scene[PhaseHandle<P>{}][velocity];
+                    Eigen::Index i = 0;
+                    v.rowwise().squaredNorm().maxCoeff(&i);
+                    stop(scene, Cause::too_fast, detail::type_name<P>(), scene[PhaseHandle<P>{}], static_cast<int>(i),
+                         text("moves at ", fastest, " m/s, ", fastest / s.material.sound_speed,
+                              " times its sound speed"));
+                }
+            }
+        });
+    }
+
+    template <class Scene, class View>
+    void look_at(const Scene& scene, const View& phase, const std::string& name) const {
+        if (phase.size() == 0)
+            return;
+        using State = std::remove_cvref_t<decltype(phase.state)>;
+        const auto x = phase[position];
+        if (!x.allFinite())
+            stop(scene, Cause::not_finite, name, phase, first_not_finite(x), "has a position that is not finite");
+        if constexpr (State::template stores<Velocity>)
+            if (!phase[velocity].allFinite())
+                stop(scene, Cause::not_finite, name, phase, first_not_finite(phase[velocity]),
+                     "has a velocity that is not finite");
+        for (int d = 0; d < dim; ++d) {
+            const auto k = static_cast<std::size_t>(d);
+            const double origin = scene.settings().origin[k];
+            Eigen::Index low = 0, high = 0;
+            const double least = static_cast<double>(x.col(d).minCoeff(&low)) + origin;
+            const double most = static_cast<double>(x.col(d).maxCoeff(&high)) + origin;
+            if (least < settings_.lower[k] || most > settings_.upper[k])
+                stop(scene, Cause::left_domain, name, phase, static_cast<int>(least < settings_.lower[k] ? low : high),
+                     text("is outside the domain, which goes from ", settings_.lower[k], " to ", settings_.upper[k],
+                          " m in that direction"));
+        }
+        if constexpr (State::template stores<Density>) {
+            const auto rho = phase[density];
+            const double rest = phase.material().density;
+            Eigen::Index low = 0, high = 0;
+            const double least = static_cast<double>(rho.col(0).minCoeff(&low)) / rest;
+            const double most = static_cast<double>(rho.col(0).maxCoeff(&high)) / rest;
+            if (!rho.allFinite())
+                stop(scene, Cause::not_finite, name, phase, first_not_finite(rho), "has a density that is not finite");
+            if (least < settings_.least_density || most > settings_.greatest_density) {
+                const bool thin = least < settings_.least_density;
+                stop(scene, Cause::wrong_density, name, phase, static_cast<int>(thin ? low : high),
+                     text("has a density of ", (thin ? least : most) * rest, " kg/m^3, ", thin ? least : most,
+                          " of that at rest"));
+            }
+        }
+    }
+    template <class Field>
+    static int first_not_finite(const Field& field) {
+        for (Eigen::Index i = 0; i < field.rows(); ++i)
+            if (!field.row(i).allFinite())
+                return static_cast<int>(i);
+        return 0;
+    }
+
+    // Internal forces turn kinetic and potential energy into heat or tension and back, but cannot raise their sum above
+    // what it was at a stress-free start.
+    template <class Scene>
+    void look_at_energy(const Scene& scene) {
+        if (!std::isfinite(settings_.energy))
+            return;
+        Balance now{0, 0, 0, scene.particles()};
+        bool driven = false;
+        scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
+            const auto phase = scene[PhaseHandle<P>{}];
+            if constexpr (P::moves) {
+                now.kinetic += kinetic_energy(phase);
+                now.potential += potential_energy(phase, scene.settings().gravity);
+            } else if constexpr (std::remove_cvref_t<decltype(s)>::template stores<Velocity>) {
+                driven = driven || (s.size() > 0 && phase[velocity].cwiseAbs().maxCoeff() > 0);
+            }
+        });
+        now.energy = now.kinetic + now.potential;
+        if (!start_ || driven || now.particles != start_->particles) { // what leaves takes its energy along
+            rebased_ = start_ && !driven ? excess_ : 0;
+            start_ = now;
+            kinetic_most_ = now.kinetic;
+            return;
+        }
+        kinetic_most_ = std::max(kinetic_most_, now.kinetic);
+        excess_ = now.energy - start_->energy + rebased_;
+        const double turned_over = std::max(kinetic_most_, std::abs(now.potential - start_->potential));
+        if (excess_ > settings_.energy * turned_over)
+            throw Diverged(text("energy has grown by ", excess_, " J without work, in a scene that has turned over ",
+                                turned_over, " J; ", moment(scene), reason(scene)),
+                           Cause::energy, "", {}, scene.time(), scene.steps());
+    }
+    double excess_ = 0;
+
+    template <class Scene, class View>
+    [[noreturn]] void stop(const Scene& scene, Cause cause, const std::string& name, const View& phase, int i,
+                           const std::string& what) const {
+        std::vector<double> where;
+        std::string place;
+        for (int d = 0; d < dim; ++d) {
+            where.push_back(static_cast<double>(phase[position](i, d)) +
+                            scene.settings().origin[static_cast<std::size_t>(d)]);
+            place += text(d == 0 ? "" : ", ", where.back());
+        }
+        throw Diverged(text("particle ", phase.ids()[static_cast<std::size_t>(i)], " of phase ", name, " at (", place,
+                            ") m ", what, "; ", moment(scene), reason(scene)),
+                       cause, name, where, scene.time(), scene.steps());
+    }
+    template <class Scene>
+    static std::string moment(const Scene& scene) {
+        return text("step ", scene.steps(), ", time ", scene.time(), " s. ");
+    }
+    // The likely reason: a step near or beyond a limit, or something else.
+    template <class Scene>
+    static std::string reason(const Scene& scene) {
+        const auto limits = scene.time_step_limits();
+        const auto& last = scene.last_step();
+        if (limits.empty() || !(last.seconds > 0))
+            return "Look at how the scene starts: overlapping particles, velocities out of range";
+        const auto& least = limits.front();
+        const double share = last.seconds / least.seconds;
+        if (share > 1)
+            return text("The last step of ", last.seconds, " s was ", share, " times the limit of ", least.seconds,
+                        " s (", least.reason, ", ", least.where, "): take shorter steps");
+        return text("The last step of ", last.seconds, " s was within the shortest limit, ", least.seconds, " s (",
+                    least.reason, ", ", least.where, "): look for a sound speed too low for the speeds that occur, ",
+                    "forces that the limits do not know, or a start with overlaps; a lower cfl tells these apart");
+    }
+};
+
+} // namespace imbibe

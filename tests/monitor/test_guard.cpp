@@ -1,0 +1,148 @@
+// The guard: it leaves good runs alone and names what is wrong with bad ones.
+#include <catch_shim.hpp>
+
+#include <imbibe/imbibe.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace sph = imbibe;
+using K = sph::WendlandC2;
+using imbibe_test::contains;
+
+struct Water
+    : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+struct Tank : sph::Wall<> {};
+struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
+using Pool = sph::Solver<2, float, sph::SymplecticEuler, Water, Tank, Sides>;
+constexpr double dx = 0.05;
+
+/// A column of water that falls apart in a tank of 1 x 1 m.
+Pool pool() {
+    Pool scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx});
+    scene.add(Water{{.density = 1000, .sound_speed = 40}}, sph::fill(sph::Box<2>({0, 0}, {0.4, 0.6}), dx), dx);
+    scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {1, 1}), dx, 3, sph::Sides::y_high), dx);
+    return scene;
+}
+const sph::PhaseHandle<Water> water{};
+
+/// The Diverged that `run` throws.
+template <class Run>
+sph::Diverged thrown_by(const Run& run) {
+    try {
+        run();
+    } catch (const sph::Diverged& error) {
+        return error;
+    }
+    FAIL("nothing was thrown");
+    throw 0;
+}
+
+struct Stone : sph::Fluid<> {};
+using Flight = sph::Solver<2, double, sph::SymplecticEuler, Stone>;
+
+/// dv_a/dt = k v_a: energy from nowhere.
+struct Tailwind {
+    using reads = sph::Fields<sph::velocity>;
+    using adds = sph::Fields<sph::acceleration>;
+    constexpr auto operator()(const auto& a) const { return 2.0 * a[sph::velocity]; }
+};
+struct Leaf : sph::Fluid<Tailwind> {};
+
+} // namespace
+
+TEST_CASE("A guard leaves a good run alone", "[guard]") {
+    auto watched = pool(), alone = pool();
+    sph::Guard<2> guard({.interval = 3, .lower = {-0.2, -0.2}, .upper = {1.2, 1.2}});
+    watched.run_until(0.4, guard);
+    alone.run_until(0.4);
+    REQUIRE(watched.steps() == alone.steps());
+    CHECK(watched[water][sph::position] == alone[water][sph::position]);
+}
+
+TEST_CASE("A guard stops a run whose steps are too long, and says so", "[guard]") {
+    auto scene = pool();
+    scene.prepare();
+    const double limit = scene.time_step_limits().front().seconds;
+    sph::Guard<2> guard({.interval = 1});
+    const auto error = thrown_by([&] {
+        for (int k = 0; k < 2000; ++k) {
+            scene.step(4 * limit);
+            guard(scene);
+        }
+    });
+    CHECK_THAT(error.what(), contains("times the limit"));
+    CHECK_THAT(error.what(), contains("take shorter steps"));
+    CHECK(error.steps == scene.steps());
+    CHECK(error.time == scene.time());
+    CHECK(scene.steps() < 200);
+}
+
+TEST_CASE("A guard names the particle that is wrong", "[guard]") {
+    auto scene = pool();
+    scene.step();
+    sph::Guard<2> guard({.lower = {-0.2, -0.2}, .upper = {1.2, 1.2}});
+    auto view = scene[water];
+    const int i = 17;
+    const auto id = std::to_string(view.ids()[i]);
+    SECTION("too dense") {
+        view[sph::density](i, 0) = 1700;
+        const auto error = thrown_by([&] { guard.look(scene); });
+        CHECK(error.cause == sph::Cause::wrong_density);
+        CHECK_THAT(error.what(), contains("particle " + id + " of phase") && contains("1700 kg/m^3"));
+        CHECK(error.position == std::vector<double>{view[sph::position](i, 0), view[sph::position](i, 1)});
+    }
+    SECTION("outside") {
+        view[sph::position](i, 1) = 1.5f;
+        const auto error = thrown_by([&] { guard.look(scene); });
+        CHECK(error.cause == sph::Cause::left_domain);
+        CHECK_THAT(error.what(), contains("particle " + id) && contains("from -0.2 to 1.2 m"));
+    }
+    SECTION("not a number") {
+        view[sph::velocity](i, 1) = std::numeric_limits<float>::quiet_NaN();
+        const auto error = thrown_by([&] { guard.look(scene); });
+        CHECK(error.cause == sph::Cause::not_finite);
+        CHECK_THAT(error.what(), contains("particle " + id) && contains("velocity"));
+    }
+    SECTION("faster than sound") {
+        view[sph::velocity](i, 0) = 70;
+        scene.step();
+        const auto error = thrown_by([&] { guard(scene); });
+        CHECK(error.cause == sph::Cause::too_fast);
+        CHECK_THAT(error.what(), contains("particle " + id) && contains("times its sound speed"));
+    }
+}
+
+TEST_CASE("A guard notices energy without work, and not what falls or leaves", "[guard]") {
+    const std::vector<sph::Point<2>> row{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+    sph::Solver<2, double, sph::SymplecticEuler, Leaf> leaves({.support_radius = 0.1, .time_step = 0.01});
+    const auto leaf = leaves.add(Leaf{{.density = 1, .sound_speed = 100}}, row, 0.05);
+    leaves[leaf][sph::velocity].col(0).setConstant(1);
+    sph::Guard<2> guard;
+    const auto error = thrown_by([&] { leaves.run_until(1, guard); });
+    CHECK(error.cause == sph::Cause::energy);
+    CHECK(error.position.empty());
+    CHECK(error.time == Approx(0.06).margin(0.06)); // kinetic energy grows as exp(4 t): a fifth of it after 0.056 s
+
+    Flight stones({.gravity = {0, -9.81}, .support_radius = 0.1, .time_step = 0.01});
+    const auto stone = stones.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+    sph::Guard<2> calm({.interval = 2});
+    stones.run_until(2, [&](auto& scene) {
+        if (scene.steps() % 50 == 49)
+            scene.remove_if(stone, [&](const auto& x) { return x[0] < 0.015 * static_cast<double>(scene.steps()); });
+        calm(scene);
+    });
+    CHECK(stones.particles() == 1);
+}
+
+TEST_CASE("Bounds of a guard that make no sense are refused", "[guard]") {
+    REQUIRE_THROWS_WITH(sph::Guard<2>({.interval = 0}), contains("interval = 0"));
+    REQUIRE_THROWS_WITH(sph::Guard<2>({.speed = -1}), contains("-1 sound speeds"));
+    REQUIRE_THROWS_WITH(sph::Guard<2>({.least_density = 1.2}), contains("1.2"));
+    REQUIRE_THROWS_WITH(sph::Guard<2>({.lower = {0, 2}, .upper = {1, 1}}), contains("begins at 2 m"));
+    REQUIRE_THROWS_WITH(sph::Guard<2>({.energy = 0}), contains("energy = 0"));
+}
