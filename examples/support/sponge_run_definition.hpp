@@ -44,6 +44,19 @@ private:
 /// Thrown by the run's observer when the user wants it to end.
 struct StoppedByUser {};
 
+/// Writes the particles of a run that went wrong, for ParaView, and says so in `failure`.
+template <class Scene>
+void keep_what_broke(const Scene& scene, const std::filesystem::path& folder, std::string& failure) {
+    try {
+        Snapshots snapshots(folder);
+        snapshots(scene);
+        failure += ". The particles as they were: " + folder.string() +
+                   "; --restart goes on from the last checkpoint, which was good, for example with a smaller --cfl";
+    } catch (const Error& error) {
+        failure += std::string(". Its particles could not be written: ") + error.what();
+    }
+}
+
 template <class C, class Real>
 SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const SpongeOutput& output) {
     using Water = typename C::Water;
@@ -163,6 +176,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         pictures.resume(scene.time());
     }
     Checkpoints checkpoints(checkpoint, output.checkpoint_interval);
+    Guard<3> guard;
     const StopOnSignal stopping;
     try {
         scene.run_until(end, [&](auto& s) {
@@ -180,6 +194,9 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                 progress(s);
             if (stop_asked)
                 throw StoppedByUser{};
+            guard(s);
+            if (checkpoints.due(s))
+                guard.look(s);
             checkpoints(s, keep_notes);
         });
         write_checkpoint(scene, checkpoint, keep_notes()); // from which the run can go on to a later end
@@ -193,6 +210,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         }
     } catch (const Error& error) {
         result.failure = error.what();
+        keep_what_broke(scene, output.folder / "broken", result.failure);
     }
     result.drained = below();
     result.end = scene.time();

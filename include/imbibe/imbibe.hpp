@@ -17,6 +17,7 @@
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/progress.hpp>
+#include <imbibe/output/recover.hpp>
 #include <imbibe/output/snapshots.hpp>
 #include <imbibe/output/table.hpp>
 #include <imbibe/solid/artificial_stress.hpp>

@@ -11,6 +11,7 @@
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/output/checkpoint.hpp>
+#include <imbibe/output/recover.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/state/linear_state.hpp>
@@ -35,10 +36,11 @@ template <class Real>
 using Scene = sph::Solver<2, Real, sph::SymplecticEuler, Water, Block, Contact>;
 
 template <class Real>
-Scene<Real> make(double density = 1000, int search_interval = 1) {
+Scene<Real> make(double density = 1000, int search_interval = 1, double time_step = 0) {
     const double dx = 0.05;
     Scene<Real> scene({.gravity = {0, -9.81},
                        .support_radius = 2.6 * dx,
+                       .time_step = time_step,
                        .periodic_length = {1, 0},
                        .search_interval = search_interval,
                        .threads = 2});
@@ -212,4 +214,26 @@ TEST_CASE("Checkpoints by wall time", "[checkpoint]") {
     auto other = make<float>();
     CHECK(sph::read_checkpoint(other, path).at("steps") == double(scene.steps()));
     REQUIRE_THROWS_WITH(sph::Checkpoints(path, -1), imbibe_test::contains("-1"));
+}
+
+TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpoint]") {
+    const auto path = output_test::fresh("recover") / "run";
+    auto scene = make<float>();
+    scene.run_until(0.01);
+    const double limit = scene.time_step_limits().front().seconds;
+    auto fixed = make<float>(1000, 1, 3 * limit);
+    sph::Guard<2> guard({.interval = 1});
+    std::vector<double> returned_to;
+    sph::run_and_recover(fixed, 0.3, guard, path, 0.02, 4, [&](const sph::Error& error) {
+        CHECK_THAT(error.what(), imbibe_test::contains("times the limit"));
+        returned_to.push_back(fixed.time());
+    });
+    CHECK(fixed.time() == Approx(0.3));
+    CHECK(returned_to.size() >= 1);
+    CHECK(returned_to.size() <= 3);
+    CHECK(fixed.settings().time_step == Approx(3 * limit * std::pow(0.5, returned_to.size())));
+
+    auto hopeless = make<float>(1000, 1, 20 * limit);
+    sph::Guard<2> again({.interval = 1});
+    CHECK_THROWS_AS(sph::run_and_recover(hopeless, 0.3, again, path, 1e6, 1, [](const sph::Error&) {}), sph::Error);
 }

@@ -97,6 +97,9 @@ public:
         glance(scene);
     }
 
+    /// Forgets the energies it has seen, as after a return to an earlier state.
+    void start_anew() { start_.reset(); }
+
 private:
     GuardSettings<dim> settings_;
     struct Balance {
@@ -190,7 +193,7 @@ private:
         });
         now.energy = now.kinetic + now.potential;
         if (!start_ || driven || now.particles != start_->particles) { // what leaves takes its energy along
-            rebased_ = start_ && !driven ? excess_ : 0;
+            rebased_ = start_ && !driven ? excess_ : 0;                // of what was lost or won before
             start_ = now;
             kinetic_most_ = now.kinetic;
             return;

@@ -221,6 +221,11 @@ public:
                 "; it must be a finite number not below 0");
         require_writable(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
     }
+    /// Will one be written now?
+    template <class Scene>
+    bool due(const Scene& scene) const {
+        return std::chrono::duration<double>(Clock::now() - written_).count() >= seconds_ && scene.search_is_due();
+    }
     template <class Scene>
     void operator()(Scene& scene) {
         (*this)(scene, [] { return CheckpointNotes{}; });
@@ -228,7 +233,7 @@ public:
     /// The same with the program's own numbers, which `notes()` returns. True if a checkpoint was written.
     template <class Scene, class Notes>
     bool operator()(Scene& scene, const Notes& notes) {
-        if (std::chrono::duration<double>(Clock::now() - written_).count() < seconds_ || !scene.search_is_due())
+        if (!due(scene))
             return false;
         write_checkpoint(scene, path_, notes());
         written_ = Clock::now();

@@ -1,0 +1,38 @@
+// Runs that go back to the last good state and go on with shorter steps where a guard stops them.
+#pragma once
+
+#include <imbibe/monitor/guard.hpp>
+#include <imbibe/output/checkpoint.hpp>
+
+namespace imbibe {
+
+/// Runs `scene` to `end`, s, under `guard` with a checkpoint every `seconds` of wall time, each looked at by the guard
+/// before it is written. Where the guard, or the solver, stops the run, the scene goes back to the last checkpoint and
+/// goes on with steps half as long, at most `retries` times; `returned(error)` is told so each time, once the scene is
+/// back. Observers see time go back then: a table or a series of snapshots gets rows twice, unless `returned` mends
+/// it.
+/// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up
+template <class Scene, int dim, class Returned, class... Observers>
+void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::filesystem::path& checkpoint,
+                     double seconds, int retries, const Returned& returned, Observers&&... observers) {
+    Checkpoints checkpoints(checkpoint, seconds);
+    write_checkpoint(scene, checkpoint);
+    for (;; --retries)
+        try {
+            scene.run_until(end, guard, observers..., [&](Scene& s) {
+                if (checkpoints.due(s))
+                    guard.look(s);
+                checkpoints(s);
+            });
+            return;
+        } catch (const Error& error) {
+            if (retries <= 0)
+                throw;
+            read_checkpoint(scene, checkpoint);
+            scene.shorten_steps(0.5);
+            guard.start_anew();
+            returned(error);
+        }
+}
+
+} // namespace imbibe
