@@ -27,7 +27,7 @@ struct SpongeCase {
     double artificial_viscosity = 1; ///< alpha of Eq. (16) (`PaperSponge`)
     double time_step = 0;            ///< s; 0: the composition's own choice
     double cfl = 0.75;               ///< share of the shortest time step limit that an adaptive step takes
-    int search_interval = 1;         ///< steps between two searches for neighbours
+    int search_interval = 0;         ///< steps between two searches for neighbours; 0: the composition's own choice
     double drain = 30e-3;            ///< how far below the slab water leaves the scene, m
     double freeboard = 0;            ///< how far the walls reach above the water, m; 0: as far as it is seen to splash
     bool strip = false;              ///< one row of pores, periodic in y, instead of five rows in a tank
@@ -77,6 +77,7 @@ struct SpongeCase {
                 "water spacing = ", water_spacing, " m; on a strip, which is periodic, it must divide its width of ",
                 width(), " m, as 0.7e-3 and 0.875e-3 m do");
         require(freeboard >= 0 && freeboard < 1, "freeboard = ", freeboard, " m; it must be from 0 (chosen) to 1 m");
+        require(search_interval >= 0, "search interval = ", search_interval, " steps; it must be 0 (chosen) or more");
         require(pool >= 0 && pool < 1, "height of the pool = ", pool,
                 " m; it must be from 0 (the paper's block) to 1 m");
     }
@@ -105,7 +106,7 @@ struct SpongeCase {
                       .support_radius = support,
                       .cfl = cfl,
                       .time_step = time_step,
-                      .search_interval = search_interval,
+                      .search_interval = std::max(search_interval, 1),
                       .threads = threads};
         if (strip) {
             s.periodic_lower[1] = 0;

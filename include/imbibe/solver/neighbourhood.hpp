@@ -111,7 +111,7 @@ public:
                 auto& a = this->template state<typename L::A>();
                 auto& b = this->template state<typename L::B>();
                 link.support = this->template support<typename L::A, typename L::B>();
-                farthest_allowed = std::min(farthest_allowed, 0.025 * link.support);
+                farthest_allowed = std::min(farthest_allowed, 0.05 * link.support);
                 if (a.size() == 0 || b.size() == 0 || this->template are_apart<typename L::A, typename L::B>())
                     link.runs.clear_all(a.size());
                 else

@@ -28,9 +28,9 @@ struct Settings {
     std::array<double, static_cast<std::size_t>(dim)> origin{};
     /// Every so many steps the particles are sorted and their neighbours found. Above 1, steps in between keep the
     /// neighbours they have, as the inner steps of dual time stepping do (Zhang, Rezavand and Hu 2020), unless a
-    /// particle may have travelled more than 2.5 % of a support radius. Pairs that come within reach meanwhile are
-    /// missed: at 0.95 H and more the gradient of WendlandC2 is below 0.2 % of its greatest value. Positions leave a
-    /// periodic box by that much, too.
+    /// particle may have travelled more than 5 % of a support radius. Pairs that come within reach meanwhile are
+    /// missed: at 0.95 H and more the gradient of WendlandC2 is below 0.2 % of its greatest value, at 0.9 H (both have
+    /// come 5 % nearer) it is 0.9 %. Positions leave a periodic box by that much, too.
     int search_interval = 1;
     /// Threads; 0: all of the machine.
     int threads = 0;
