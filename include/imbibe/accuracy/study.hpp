@@ -1,0 +1,245 @@
+// What accuracy costs: runs a case with a reference over chosen axes and says which choices are worth their time.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/output/file.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace imbibe::accuracy {
+
+/// One choice on every axis of a study: what a case is given.
+class Choices {
+public:
+    /// The choice on an axis, as it was written. Throws Error for an axis the study does not have.
+    const std::string& operator[](const std::string& axis) const {
+        for (const auto& [name, value] : values_)
+            if (name == axis)
+                return value;
+        throw Error(text("accuracy: the case asks for the axis '", axis, "', which the study does not have"));
+    }
+    /// The same as a number. Throws Error if it is none.
+    double number(const std::string& axis) const {
+        const std::string& word = (*this)[axis];
+        double value = 0;
+        const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+        require(fault == std::errc{} && end == word.data() + word.size(), "accuracy: '", word, "' on the axis '", axis,
+                "' is not a number");
+        return value;
+    }
+    /// Which repetition this is, from 0 on: the seed of a jittered start.
+    int repetition = 0;
+
+    void set(const std::string& axis, const std::string& value) {
+        for (auto& [name, old] : values_)
+            if (name == axis) {
+                old = value;
+                return;
+            }
+        values_.emplace_back(axis, value);
+    }
+    /// All of them, in the order of the axes: the name of an axis and the choice on it.
+    const std::vector<std::pair<std::string, std::string>>& all() const { return values_; }
+
+private:
+    std::vector<std::pair<std::string, std::string>> values_;
+};
+
+/// What a case gives back.
+struct Outcome {
+    double error;                ///< against the reference, in the case's own measure (a share, say); not negative
+    double pair_evaluations = 0; ///< the work in a unit that no machine changes; see `pair_evaluations(scene)`
+};
+
+/// One line of a study's result: a set of choices, over all repetitions.
+struct Row {
+    Choices choices;
+    double error, least_error, greatest_error; ///< mean and range over the repetitions
+    double seconds;                            ///< processor time of one repetition, the least of all
+    double pair_evaluations;
+    bool on_front = false; ///< is nothing else both faster and more accurate?
+    std::string failure;   ///< why the run broke off, if it did; error is infinite then
+};
+
+/// How many pairs of particles one step of a scene looks at, all sweeps together, times the steps taken so far: the
+/// work of a run if neighbours were as many all the time.
+template <class Scene>
+double pair_evaluations(const Scene& scene) {
+    double pairs = 0;
+    const auto& engine = scene.engine();
+    engine.for_each_link([&]<class L>(const L& link) {
+        using A = typename L::A;
+        const int sweeps = Scene::Scene::plan.sweeps(Scene::Scene::template phase_index<A>);
+        pairs += engine.mean_neighbours(link) * engine.template state<A>().size() * sweeps;
+    });
+    return pairs * static_cast<double>(scene.steps());
+}
+
+/// Marks the rows of which no other is at least as fast and at least as accurate.
+inline void mark_front(std::vector<Row>& rows) {
+    for (Row& row : rows) {
+        row.on_front = std::isfinite(row.error);
+        for (const Row& other : rows)
+            if (&other != &row && other.seconds <= row.seconds && other.error <= row.error &&
+                (other.seconds < row.seconds || other.error < row.error))
+                row.on_front = false;
+    }
+}
+
+/// A case with a reference, run over chosen axes.
+/// ```
+/// accuracy::Study study;
+/// study.axis("spacing", {"0.1", "0.05"}).axis("kernel", {"cubic spline", "Wendland C2"});
+/// const auto rows = study.run([](const accuracy::Choices& choose) -> accuracy::Outcome {
+///     const double dx = choose.number("spacing");
+///     ...
+///     return {std::abs(computed / exact - 1), accuracy::pair_evaluations(scene)};
+/// });
+/// accuracy::write(rows, "study.csv");          // tools/plot_accuracy.py draws it
+/// ```
+class Study {
+public:
+    /// Adds an axis with its choices; the first is the one from which `one_at_a_time` departs.
+    /// @throws Error for an axis without choices or one that is there already
+    Study& axis(const std::string& name, const std::vector<std::string>& choices) {
+        require(!choices.empty(), "accuracy: the axis '", name, "' has no choices");
+        for (const auto& [known, values] : axes_)
+            require(known != name, "accuracy: there are two axes '", name, "'");
+        axes_.emplace_back(name, choices);
+        return *this;
+    }
+    /// Runs every choice so often, with another `Choices::repetition` each time: the error bars, where a case uses it
+    /// to jitter its start.
+    Study& repeat(int times) {
+        require(times >= 1, "accuracy: ", times, " repetitions; it must be at least 1");
+        repetitions_ = times;
+        return *this;
+    }
+    /// Called before every set of choices is run, with how many have been and how many there are.
+    Study& progress(std::function<void(const Choices&, std::size_t, std::size_t)> tell) {
+        tell_ = std::move(tell);
+        return *this;
+    }
+    /// Every combination of all choices.
+    template <class Case>
+    std::vector<Row> run(const Case& what) const {
+        std::vector<Choices> all{Choices{}};
+        for (const auto& [name, values] : axes_) {
+            std::vector<Choices> longer;
+            for (const Choices& one : all)
+                for (const std::string& value : values) {
+                    longer.push_back(one);
+                    longer.back().set(name, value);
+                }
+            all = std::move(longer);
+        }
+        return run_all(all, what);
+    }
+    /// The first choice of every axis, and all that differ from it on one axis. `along`: on these axes all choices are
+    /// combined with each of them (the spacing, usually).
+    template <class Case>
+    std::vector<Row> one_at_a_time(const Case& what, const std::vector<std::string>& along = {}) const {
+        const auto is_along = [&](const std::string& name) {
+            return std::find(along.begin(), along.end(), name) != along.end();
+        };
+        Choices first;
+        for (const auto& [name, values] : axes_)
+            first.set(name, values.front());
+        std::vector<Choices> all{first};
+        for (const auto& [name, values] : axes_)
+            for (std::size_t k = 1; k < values.size() && !is_along(name); ++k) {
+                all.push_back(first);
+                all.back().set(name, values[k]);
+            }
+        for (const auto& [name, values] : axes_)
+            if (is_along(name)) {
+                std::vector<Choices> longer;
+                for (const Choices& one : all)
+                    for (const std::string& value : values) {
+                        longer.push_back(one);
+                        longer.back().set(name, value);
+                    }
+                all = std::move(longer);
+            }
+        return run_all(all, what);
+    }
+
+private:
+    std::vector<std::pair<std::string, std::vector<std::string>>> axes_;
+    int repetitions_ = 1;
+    std::function<void(const Choices&, std::size_t, std::size_t)> tell_;
+
+    template <class Case>
+    std::vector<Row> run_all(const std::vector<Choices>& all, const Case& what) const {
+        std::vector<Row> rows;
+        for (const Choices& choices : all) {
+            if (tell_)
+                tell_(choices, rows.size(), all.size());
+            rows.push_back(measure(choices, what));
+        }
+        mark_front(rows);
+        return rows;
+    }
+    template <class Case>
+    static Outcome outcome_of(const Case& what, const Choices& choices, std::string& failure) {
+        try {
+            const Outcome outcome = what(choices);
+            require(outcome.error >= 0, "the error is ", outcome.error, "; a case must give one that is not negative");
+            return outcome;
+        } catch (const Error& error) {
+            failure = error.what();
+            return {std::numeric_limits<double>::infinity()};
+        }
+    }
+    template <class Case>
+    Row measure(const Choices& choices, const Case& what) const {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Row row{choices, 0, infinity, 0, infinity, 0, false, {}};
+        for (int k = 0; k < repetitions_; ++k) {
+            Choices mine = choices;
+            mine.repetition = k;
+            const std::clock_t begin = std::clock(); // of the processor: other programs on the machine do not count
+            const Outcome outcome = outcome_of(what, mine, row.failure);
+            row.seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+            row.error += outcome.error / repetitions_;
+            row.least_error = std::min(row.least_error, outcome.error);
+            row.greatest_error = std::max(row.greatest_error, outcome.error);
+            row.pair_evaluations = std::max(row.pair_evaluations, outcome.pair_evaluations);
+        }
+        return row;
+    }
+};
+
+/// Writes rows as CSV: a column for each axis, then error, least and greatest error, seconds, pair evaluations, front
+/// (1 or 0), failure. Words stand in quotation marks.
+inline void write(const std::vector<Row>& rows, const std::filesystem::path& path) {
+    AtomicFile file(path);
+    std::string line;
+    if (!rows.empty())
+        for (const auto& [axis, value] : rows.front().choices.all())
+            line += "\"" + axis + "\",";
+    file << line + "error,least error,greatest error,seconds [s],pair evaluations,front,failure\n";
+    for (const Row& row : rows) {
+        line.clear();
+        for (const auto& [axis, value] : row.choices.all())
+            line += "\"" + value + "\",";
+        for (const double x : {row.error, row.least_error, row.greatest_error, row.seconds, row.pair_evaluations})
+            line += text(x) + ",";
+        std::string failure = row.failure;
+        std::replace(failure.begin(), failure.end(), '"', '\'');
+        file << line + (row.on_front ? "1" : "0") + ",\"" + failure + "\"\n";
+    }
+    file.commit();
+}
+
+} // namespace imbibe::accuracy

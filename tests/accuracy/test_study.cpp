@@ -1,0 +1,114 @@
+// The accuracy study: which runs it makes, what it measures, and which it puts on the front.
+#include <catch_shim.hpp>
+
+#include <imbibe/imbibe.hpp>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace accuracy = imbibe::accuracy;
+using imbibe_test::contains;
+
+namespace {
+
+/// Works the processor for about `seconds`.
+double burn(double seconds) {
+    const auto begin = std::clock();
+    double x = 1;
+    while (static_cast<double>(std::clock() - begin) < seconds * CLOCKS_PER_SEC)
+        x = std::sqrt(x + 1);
+    return x;
+}
+
+std::string words(const accuracy::Choices& choices) {
+    std::string all;
+    for (const auto& [axis, value] : choices.all())
+        all += value + " ";
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("A study makes every combination, or departs from the first one axis at a time", "[accuracy]") {
+    accuracy::Study study;
+    study.axis("n", {"1", "2"}).axis("kernel", {"a", "b", "c"}).axis("step", {"long", "short"});
+    std::vector<std::string> seen;
+    const auto note = [&](const accuracy::Choices& choices) -> accuracy::Outcome {
+        seen.push_back(words(choices));
+        return {1 / choices.number("n")};
+    };
+    CHECK(study.run(note).size() == 12);
+    CHECK(seen.front() == "1 a long ");
+    CHECK(seen.back() == "2 c short ");
+    seen.clear();
+    CHECK(study.one_at_a_time(note).size() == 5);
+    CHECK(seen == std::vector<std::string>{"1 a long ", "2 a long ", "1 b long ", "1 c long ", "1 a short "});
+    seen.clear();
+    CHECK(study.one_at_a_time(note, {"n"}).size() == 8);
+    CHECK(seen.size() == 8);
+    CHECK(seen[1] == "2 a long ");
+    CHECK(seen[7] == "2 a short ");
+}
+
+TEST_CASE("A study measures error bars and time, keeps failures, and finds the front", "[accuracy]") {
+    accuracy::Study study;
+    study.axis("method", {"slow and good", "fast and bad", "slow and bad", "breaks"}).repeat(3);
+    const auto rows = study.run([](const accuracy::Choices& choices) -> accuracy::Outcome {
+        const std::string& method = choices["method"];
+        if (method == "breaks")
+            throw imbibe::Error("it \"broke\"");
+        burn(method.substr(0, 4) == "slow" ? 0.06 : 0.02);
+        return {(method.find("good") != std::string::npos ? 0.01 : 0.1) * (1 + 0.1 * choices.repetition), 100};
+    });
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[0].error == Approx(0.011));
+    CHECK(rows[0].least_error == Approx(0.01));
+    CHECK(rows[0].greatest_error == Approx(0.012));
+    CHECK(rows[0].pair_evaluations == 100);
+    CHECK(rows[0].seconds > rows[1].seconds);
+    CHECK(rows[0].on_front);
+    CHECK(rows[1].on_front);
+    CHECK_FALSE(rows[2].on_front);
+    CHECK_FALSE(rows[3].on_front);
+    CHECK(rows[3].failure == "it \"broke\"");
+    CHECK(std::isinf(rows[3].error));
+
+    const auto path = std::filesystem::temp_directory_path() / "imbibe_accuracy_study.csv";
+    accuracy::write(rows, path);
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    CHECK(line == "\"method\",error,least error,greatest error,seconds [s],pair evaluations,front,failure");
+    std::getline(file, line);
+    CHECK(line.substr(0, 37) == "\"slow and good\",0.011,0.01,0.012,0.06");
+    std::getline(file, line);
+    std::getline(file, line);
+    std::getline(file, line);
+    CHECK_THAT(line, contains("\"breaks\",inf,inf,inf,") && contains(",0,\"it 'broke'\""));
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("A study says what is wrong with it", "[accuracy]") {
+    accuracy::Study study;
+    study.axis("n", {"1", "two"});
+    REQUIRE_THROWS_WITH(study.axis("n", {"3"}), contains("two axes 'n'"));
+    REQUIRE_THROWS_WITH(study.axis("m", {}), contains("'m' has no choices"));
+    REQUIRE_THROWS_WITH(study.repeat(0), contains("at least 1"));
+    const auto rows = study.run([](const accuracy::Choices& choices) -> accuracy::Outcome {
+        return {choices["n"] == "1" ? choices.number("k") : choices.number("n")};
+    });
+    CHECK_THAT(rows[0].failure, contains("asks for the axis 'k'"));
+    CHECK_THAT(rows[1].failure, contains("'two' on the axis 'n' is not a number"));
+}
+
+TEST_CASE("The pairs of a scene are counted in all its sweeps", "[accuracy]") {
+    using K = imbibe::WendlandC2;
+    struct Gas : imbibe::Fluid<imbibe::LinearState, imbibe::Continuity<K>, imbibe::SymmetricPressure<K>> {};
+    imbibe::Solver<2, double, imbibe::SymplecticEuler, Gas> scene({.support_radius = 0.15, .periodic_length = {1, 1}});
+    scene.add(Gas{{.density = 1, .sound_speed = 1}}, imbibe::fill(imbibe::Box<2>({0, 0}, {1, 1}), 0.1), 0.1);
+    for (int k = 0; k < 3; ++k)
+        scene.step(1e-9);
+    CHECK(accuracy::pair_evaluations(scene) == Approx(3 * 2 * 100 * 8)); // steps, sweeps, particles, neighbours
+}

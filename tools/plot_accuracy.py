@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Draws what accuracy costs: the error of every run of a study against its time, and the front of those worth it.
+
+    python3 tools/plot_accuracy.py study.csv -o study.png
+    python3 tools/plot_accuracy.py study.csv --join spacing --time "pair evaluations" -o study.png
+
+The file is one that `imbibe::accuracy::write` wrote. Runs that differ on the axis `--join` alone are joined by a line;
+a ring marks what is on the front: nothing else was both faster and more accurate. Bars span the repetitions.
+"""
+
+import argparse
+import csv
+import sys
+
+from picture_style import CURVES, GREY, np, plt, save
+
+MEASURED = ["error", "least error", "greatest error", "seconds [s]", "pair evaluations", "front", "failure"]
+
+
+def read_rows(path):
+    """The axes' names, and each row as {column: word}; what was measured as numbers."""
+    try:
+        with open(path, newline="") as file:
+            table = list(csv.DictReader(file))
+    except OSError as error:
+        sys.exit(f"plot_accuracy.py: cannot read {path}: {error.strerror}")
+    if not table or any(name not in table[0] for name in MEASURED):
+        sys.exit(f"plot_accuracy.py: {path} is not the table of an accuracy study")
+    for row in table:
+        for name in MEASURED[:-1]:
+            row[name] = float(row[name])
+    return [name for name in table[0] if name not in MEASURED], table
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", help="CSV file of a study")
+    parser.add_argument("-o", "--output", default="accuracy.png", help="the picture to write (default: accuracy.png)")
+    parser.add_argument("--join", help="join runs that differ on this axis alone (default: the first axis)")
+    parser.add_argument("--time", default="seconds [s]", choices=["seconds [s]", "pair evaluations"],
+                        help="what is meant by time (default: seconds)")
+    parser.add_argument("--title", help="a line above the picture")
+    parser.add_argument("--dpi", type=int, default=150)
+    arguments = parser.parse_args()
+
+    axes, rows = read_rows(arguments.file)
+    join = arguments.join or axes[0]
+    if join not in axes:
+        parser.error(f"there is no axis '{join}'; the axes are: {', '.join(axes)}")
+    drawn = [row for row in rows if np.isfinite(row["error"]) and row["error"] > 0 and row[arguments.time] > 0]
+    if not drawn:
+        sys.exit(f"plot_accuracy.py: no run in {arguments.file} came to an end")
+
+    others = [axis for axis in axes if axis != join]
+    varied = [axis for axis in others if len({row[axis] for row in rows}) > 1]
+    groups = {}
+    for row in drawn:
+        groups.setdefault(tuple(row[axis] for axis in varied), []).append(row)
+
+    figure, panel = plt.subplots(figsize=(8, 5.2))
+    markers = "osD^vP*X"
+    for k, (choice, group) in enumerate(groups.items()):
+        group.sort(key=lambda row: row[arguments.time])
+        time = [row[arguments.time] for row in group]
+        error = np.array([row["error"] for row in group])
+        spread = [error - [row["least error"] for row in group], [row["greatest error"] for row in group] - error]
+        base = list(groups)[0]
+        label = ", ".join(f"{word}" for word, first in zip(choice, base) if k == 0 or word != first) or "as above"
+        panel.errorbar(time, error, yerr=np.maximum(spread, 0), color=CURVES[k % len(CURVES)],
+                       marker=markers[k // len(CURVES) % len(markers)], markersize=4.5, linewidth=1.1, capsize=2,
+                       label=label)
+        for row in group:
+            panel.annotate(row[join], (row[arguments.time], row["error"]), textcoords="offset points", xytext=(4, 4),
+                           fontsize=6.5, color=GREY)
+    front = sorted((row for row in drawn if row["front"] == 1), key=lambda row: row["seconds [s]"])
+    panel.plot([row[arguments.time] for row in front], [row["error"] for row in front], "o", markersize=11,
+               markerfacecolor="none", markeredgecolor=GREY, markeredgewidth=1.1, label="on the front", zorder=0)
+    panel.set(xscale="log", yscale="log", ylabel="error",
+              xlabel="processor time [s]" if arguments.time.startswith("seconds") else arguments.time)
+    panel.grid(True, which="both")
+    panel.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5), title=f"numbers: {join}", title_fontsize=8)
+    if arguments.title:
+        panel.set_title(arguments.title, loc="left")
+    figure.tight_layout()
+    save(figure, arguments.output, arguments.dpi)
+    failed = len(rows) - len(drawn)
+    print(f"{arguments.output}: {len(drawn)} runs, {len(front)} on the front" +
+          (f"; {failed} did not come to an end" if failed else ""))
+
+
+if __name__ == "__main__":
+    main()
