@@ -2,6 +2,7 @@
 // This header brings everything but the presets.
 #pragma once
 
+#include <imbibe/accuracy/study.hpp>
 #include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
