@@ -88,8 +88,9 @@ struct AntuonoDiffusionParameters {
 /// W_ab with L of CurrentCorrection, which must stand beside it: `CurrentCorrection<K>, AntuonoDiffusion<K>`.
 ///
 /// What is linear in space is left alone, also at the free surface: no pressure gradient, hydrostatic or not, is
-/// smoothed away, in a tank at rest or accelerated. Conserves the mean density weighted with volume, as DensityDiffusion
-/// does, of which this is the version for flows where gravity is not all that acts. It costs one more sweep.
+/// smoothed away, in a tank at rest or accelerated. Conserves the mean density weighted with volume, as
+/// DensityDiffusion does, of which this is the version for flows where gravity is not all that acts. It costs one more
+/// sweep.
 ///
 /// Not in a coupling: across an interface densities differ for good reason. Not for a fluid of two densities.
 ///

@@ -34,8 +34,8 @@ inline constexpr SurfaceNearness surface_nearness{};
 
 /// Coefficients of ParticleShifting.
 struct ParticleShiftingParameters {
-    /// Strength: shifting velocity over speed times H times the gradient of concentration. 1 is the usual value.
-    double strength = 1;
+    /// Strength: shifting velocity over speed times H times the gradient of concentration. 1 to 2 is usual.
+    double strength = 2;
     /// The greatest shifting velocity as a share of the particle's own speed.
     double most = 0.25;
     /// The speed that counts where a particle's own is less, m/s.
@@ -91,9 +91,9 @@ struct ShiftingNeighbours {
 /// Not where things are at rest or where only differences of velocity count: the speed is that in the frame of the
 /// scene. Not beside XsphTransport. Where it stands in a flow between walls, ShiftingNeighbours in the coupling.
 ///
-/// Source: Lind, Xu, Stansby and Rogers (2012) for the gradient of concentration; Skillen et al. (2013) for the speed in
-/// its factor; Oger et al. (2016) for a velocity with a bound; Monaghan (2000) for the factor against pairing; Lee et al.
-/// (2008) for the position divergence, with 1.5 in 2D. That the neighbours of a surface are left alone is own.
+/// Source: Lind, Xu, Stansby and Rogers (2012) for the gradient of concentration; Skillen et al. (2013) for the speed
+/// in its factor; Oger et al. (2016) for a velocity with a bound; Monaghan (2000) for the factor against pairing; Lee
+/// et al. (2008) for the position divergence, with 1.5 in 2D. That the neighbours of a surface are left alone is own.
 template <class Kernel = WendlandC2>
 struct ParticleShifting {
     using Parameters = ParticleShiftingParameters;

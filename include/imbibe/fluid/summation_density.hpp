@@ -20,8 +20,8 @@ struct LatticeKernelSum : Field<Rank::scalar> {
 inline constexpr LatticeKernelSum lattice_kernel_sum{};
 
 /// sum_b V_0b W_ab, without unit: how full the surroundings of a particle are. A part of SummationDensity and
-/// SummationFloor, and a term of its own for couplings: `Into<Water, SummationNeighbours<>>` makes the particles of a wall
-/// or a solid count. Give those the spacing of the fluid, and layers over the whole support.
+/// SummationFloor, and a term of its own for couplings: `Into<Water, SummationNeighbours<>>` makes the particles of a
+/// wall or a solid count. Give those the spacing of the fluid, and layers over the whole support.
 template <class Kernel = WendlandC2>
 struct SummationNeighbours {
     using reads = Fields<mass>;
@@ -63,9 +63,9 @@ struct LatticeSum {
 /// cannot drift, whatever the number of steps. For fluids without a free surface: periodic, or filled into walls that
 /// count (`Into<Water, SummationNeighbours<>>` in the coupling).
 ///
-/// Not with a free surface: there half of the neighbours are missing, and the pressure becomes that of a strong tension;
-/// beside Continuity take SummationFloor. Not beside a term that adds to the density's rate: both would write the
-/// density. Noisier than Continuity on disordered particles. A kernel with a narrow peak (Wendland, few neighbours)
+/// Not with a free surface: there half of the neighbours are missing, and the pressure becomes that of a strong
+/// tension; beside Continuity take SummationFloor. Not beside a term that adds to the density's rate: both would write
+/// the density. Noisier than Continuity on disordered particles. A kernel with a narrow peak (Wendland, few neighbours)
 /// overrates the particle's own part.
 ///
 /// Source: Monaghan (1992); in this normalisation Zhang, Rezavand and Hu (2020).

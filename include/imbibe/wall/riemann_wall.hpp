@@ -15,17 +15,19 @@ inline constexpr WallDirection wall_direction{};
 namespace detail {
 
 template <class Material>
-inline constexpr bool is_liquid = Material::moves && requires(const Material& m) { m.viscosity; };
+inline constexpr bool is_liquid = Material::moves&& requires(const Material& m) {
+    m.viscosity;
+};
 
 } // namespace detail
 
 /// n_f = sum_w V_w grad_f W_fw, in 1/m, for a particle f of the fluid and the particles w of a wall or a solid: the
 /// direction in which the wall is.
 ///
-/// Goes into the fluid, together with RiemannWallPressure: `Coupling<Water, Wall, Into<Water, RiemannWallNormal<>>, ...>`.
-/// The normal is that of the wall as the fluid particle sees it, not one of the wall particle: it needs nothing of the
-/// wall but positions and volumes, so it is right for walls of any number of layers, in corners (the direction between
-/// the two), and on solids that turn and bend. It costs no sweep of its own beside a continuity equation.
+/// Goes into the fluid, together with RiemannWallPressure: `Coupling<Water, Wall, Into<Water, RiemannWallNormal<>>,
+/// ...>`. The normal is that of the wall as the fluid particle sees it, not one of the wall particle: it needs nothing
+/// of the wall but positions and volumes, so it is right in corners (the direction between the two), on solids that
+/// turn and bend, and whatever is behind the surface. It costs no sweep of its own beside a continuity equation.
 ///
 /// Not between two walls of equal distance (a slit one particle wide), where the two cancel.
 ///
@@ -66,12 +68,13 @@ struct RiemannWallPressureParameters {
 /// opposite, to the last bit where the masses are equal.
 ///
 /// Beside it goes RiemannWallContinuity, which does as much work:
-/// `Coupling<Water, Wall, Into<Water, RiemannWallNormal<>>, RiemannWallPressure<>, Into<Water, RiemannWallContinuity<>>>`.
-/// With any fluid that has a pressure, RiemannPressure or not. Works with walls and plates of few layers, down to one,
-/// because nothing is averaged over the fluid.
+/// `Coupling<Water, Wall, Into<Water, RiemannWallNormal<>>, RiemannWallPressure<>, Into<Water,
+/// RiemannWallContinuity<>>>`. With any fluid that has a pressure, RiemannPressure or not. Nothing is averaged over the
+/// fluid: on either side of a thin plate it pushes with its own pressure.
 ///
-/// Not for a solid that accelerates as fast as the water falls: of the source's g - dv_w/dt only g is taken. Free-slip:
-/// for a wall to which water sticks add NoSlipVelocity and NoSlipViscosity.
+/// Not with walls of one layer: with 3 spacings of support a dam break is the same with 2 layers as with 3, and runs
+/// through the floor with 1. Not for a solid that accelerates as fast as the water falls: of the source's g - dv_w/dt
+/// only g is taken. Free-slip: for a wall to which water sticks add NoSlipVelocity and NoSlipViscosity.
 ///
 /// Source: Zhang, Hu and Adams (2017), the section on the wall boundary condition; the normal is taken in the fluid.
 template <class Kernel = WendlandC2>
