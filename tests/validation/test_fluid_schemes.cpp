@@ -120,7 +120,7 @@ TEST_CASE("Vortices decay as they should where particles are shifted", "[fluid]"
 
 // On a perfect lattice no particle has more neighbours on one side than on the other, until rows that have been drawn
 // out at the stagnation points collapse, all at once. To be there before, shifting must be strong, and must not depend
-// on the particle's own speed, which is nothing there: with the default coefficients half of the speed is lost.
+// on the particle's own speed, which is nothing there: with the default coefficients a third of the speed is lost.
 TEST_CASE("Vortices decay as they should from a lattice, with strong shifting", "[fluid]") {
     const sph::ParticleShiftingParameters strong{.strength = 4, .least_speed = 1};
     check_vortices(taylor_green<DeltaShifted>(0, strong), 0.02);

@@ -90,6 +90,9 @@ struct ShiftingNeighbours {
 /// not, by the order of |delta v|/|v| times the change of velocity over H. So not for long runs without viscosity.
 /// Not where things are at rest or where only differences of velocity count: the speed is that in the frame of the
 /// scene. Not beside XsphTransport. Where it stands in a flow between walls, ShiftingNeighbours in the coupling.
+/// Not from a perfect lattice with the coefficients as they are: it has no gradient of concentration until its rows
+/// collapse. Jitter it by a few per cent of a spacing (geometry/jitter.hpp), or take strength = 4 and the speed of the
+/// flow for least_speed: a Taylor-Green vortex at Re = 100 is then right to 1 %, else it loses a third of its speed.
 ///
 /// Source: Lind, Xu, Stansby and Rogers (2012) for the gradient of concentration; Skillen et al. (2013) for the speed
 /// in its factor; Oger et al. (2016) for a velocity with a bound; Monaghan (2000) for the factor against pairing; Lee
