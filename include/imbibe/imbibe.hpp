@@ -4,12 +4,17 @@
 
 #include <imbibe/accuracy/study.hpp>
 #include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/density_floor.hpp>
+#include <imbibe/fluid/gradient_correction.hpp>
 #include <imbibe/fluid/laminar_viscosity.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
+#include <imbibe/fluid/particle_shifting.hpp>
+#include <imbibe/fluid/riemann.hpp>
+#include <imbibe/fluid/summation_density.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
@@ -41,3 +46,4 @@
 #include <imbibe/version.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
+#include <imbibe/wall/riemann_wall.hpp>

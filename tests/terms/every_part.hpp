@@ -4,11 +4,15 @@
 #include "hand.hpp"
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/gradient_correction.hpp>
 #include <imbibe/fluid/laminar_viscosity.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
+#include <imbibe/fluid/particle_shifting.hpp>
+#include <imbibe/fluid/summation_density.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/kernels/poly6.hpp>
@@ -19,6 +23,7 @@
 #include <imbibe/solid/xsph.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
+#include <imbibe/wall/riemann_wall.hpp>
 
 namespace hand {
 
@@ -48,11 +53,19 @@ using EveryPairPart = TypeList<
     Case<DensityDiffusion<>::Smooth, Water, Water, false>, Case<MorrisViscosity<>, Water, Water, true>,
     Case<NoSlipViscosity<>, Water, Sponge, true>, Case<ReferenceCorrection<>::Moments, Sponge, Sponge, false>,
     Case<DeformationGradient<>::Sum, Sponge, Sponge, false>, Case<TotalLagrangianForce<>::Push, Sponge, Sponge, true>,
-    Case<HourglassControl<>::Push, Sponge, Sponge, true>, Case<TotalLagrangianViscosity<>::Push, Sponge, Sponge, true>>;
+    Case<HourglassControl<>::Push, Sponge, Sponge, true>, Case<TotalLagrangianViscosity<>::Push, Sponge, Sponge, true>,
+    Case<RiemannPressure<>::Push, Water, Water, true>, Case<RiemannContinuity<>, Water, Water, false>,
+    Case<RiemannWallNormal<>, Water, Sponge, false>, Case<RiemannWallPressure<>::Push, Water, Sponge, true>,
+    Case<RiemannWallPressure<>::Push, Sponge, Water, true>, Case<RiemannWallContinuity<>, Water, Sponge, false>,
+    Case<ClearyViscosity<>, Water, Water, true>, Case<ClearyViscosity<>, Water, Sponge, true>,
+    Case<CurrentCorrection<>::Moments, Water, Water, false>, Case<AntuonoDiffusion<>::Sum, Water, Water, false>,
+    Case<AntuonoDiffusion<>::Smooth, Water, Water, false>>;
 
-/// Those with two results, which are no force and not zero for the particle itself.
-using PairPartsWithTwoResults = TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
-                                         Case<NoSlipVelocity<>::Sum, Sponge, Water, false>>;
+/// Those that are no force and not zero for the particle itself, or have two results.
+using OtherPairParts =
+    TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
+             Case<NoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
+             Case<ParticleShifting<>::Approach, Water, Water, false>, Case<SummationNeighbours<>, Water, Water, false>>;
 
 template <class F, class... C>
 void for_each_case(TypeList<C...>, F f) {
@@ -80,6 +93,8 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
         c += dice(-0.1, 0.1);
     p.set(deformation_gradient, t).set(corrected_piola_stress, t);
     p.set(no_slip_velocity, dice.vector<dim>(1));
+    p.set(wall_direction, dice.vector<dim>(1e3)).set(density_gradient, dice.vector<dim>(1e4));
+    p.set(pressure_over_impedance, p[pressure] / detail::impedance(p.material)).set(surface_indicator, dice(0, 1));
     return p;
 }
 

@@ -28,6 +28,16 @@ std::vector<double> results(const Pair<dim, T>& ab, const R& result, int lane = 
     }
 }
 
+/// A random particle. At a Riemann wall the pressure and what the approach adds to it may cancel but for a rest; so
+/// that the last bits of the two are not compared with that rest, the pressure is positive there.
+template <class C, class Material, int dim>
+auto particle_for(Dice& dice, Vector<Number<double>, dim> where) {
+    auto p = ready_particle<Material>(dice, where);
+    if constexpr (detail::contains<WallDirection, typename C::Part::reads>)
+        p.set(pressure, abs(p[pressure]));
+    return p;
+}
+
 template <class Real, int width, int dim, class C>
 void check_part() {
     using T = Pack<Real, width>;
@@ -35,11 +45,11 @@ void check_part() {
     const typename C::Part part{};
     double size = 0, error = 0;
     for (int k = 0; k < 20; ++k) {
-        const auto a = ready_particle<typename C::A>(dice, Vector<Number<double>, dim>::zero());
+        const auto a = particle_for<C, typename C::A>(dice, Vector<Number<double>, dim>::zero());
         std::vector<Particle<dim, Number<double>, typename C::B>> neighbours;
         for (int lane = 0; lane < width; ++lane) { // inside and outside the support, and one on top of a
             const auto where = dice.vector<dim>(lane == 0 ? 0 : 0.7 * H);
-            neighbours.push_back(ready_particle<typename C::B>(dice, where));
+            neighbours.push_back(particle_for<C, typename C::B>(dice, where));
         }
         const auto a_ = as<T>(a);
         const auto b_ = lanes<T>(neighbours);
@@ -79,7 +89,7 @@ template <class Real, int width, int dim>
 void check_every_part() {
     INFO(width << " numbers of " << sizeof(Real) << " bytes in " << dim << "D");
     for_each_case(EveryPairPart<dim>{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
-    for_each_case(PairPartsWithTwoResults{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
+    for_each_case(OtherPairParts{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
 }
 
 } // namespace

@@ -19,6 +19,21 @@ struct GradientCorrection : Field<Rank::symmetric_tensor> {
 };
 inline constexpr GradientCorrection gradient_correction{};
 
+namespace detail {
+
+// M^-1 where det M is at least `full_above`, the identity where it is below `none_below`, a straight ramp between.
+template <class T, int dim>
+IMBIBE_INLINE constexpr SymmetricTensor<T, dim> inverse_or_identity(const SymmetricTensor<T, dim>& moments,
+                                                                    double full_above, double none_below) {
+    const auto M = full(moments);
+    const T det = determinant(M);
+    const T trust = min(positive_part((det - none_below) / max(full_above - none_below, 1e-30)), T(1));
+    const auto inverted = symmetric_part(adjugate(M) / max(det, T(max(none_below, 1e-30))));
+    return trust * inverted + (1 - trust) * symmetric_identity<T, dim>();
+}
+
+} // namespace detail
+
 /// Coefficients of ReferenceCorrection.
 struct ReferenceCorrectionParameters {
     /// The correction is full where det M_a is at least this. det M is 1 inside, 0.3 at a face, 0.02 at the corner of
@@ -66,14 +81,7 @@ struct ReferenceCorrection {
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            using A = std::remove_cvref_t<decltype(a)>;
-            using T = typename A::Scalar;
-            const auto M = full(a[moment_matrix]);
-            const T det = determinant(M);
-            const double ramp = parameters.full_above - parameters.none_below;
-            const T trust = min(positive_part((det - parameters.none_below) / max(ramp, 1e-30)), T(1));
-            const auto inverted = symmetric_part(adjugate(M) / max(det, T(max(parameters.none_below, 1e-30))));
-            return trust * inverted + (1 - trust) * symmetric_identity<T, A::dimension>();
+            return detail::inverse_or_identity(a[moment_matrix], parameters.full_above, parameters.none_below);
         }
     };
     using parts = Parts<Moments, Invert>;

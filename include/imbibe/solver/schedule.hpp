@@ -156,7 +156,7 @@ private:
                 }
                 if (row(r).sets.test(c) && !row(r).advances)
                     for (int other = 0; other < static_cast<int>(n); ++other)
-                        if (other != r && who.test(other)) {
+                        if (other != r && (who.test(other) || row(other).sets.test(c))) { // or advances it
                             plan = {.fault = Fault::set_twice, .column = c, .row = r, .other = other};
                             return;
                         }

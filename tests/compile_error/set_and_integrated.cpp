@@ -1,0 +1,16 @@
+// A density that is set, and to whose rate another term adds.
+// expect: SetTwice<imbibe::Density, imbibe::SummationDensity<
+// expect: imbibe::detail::Advance<
+// expect: Water
+#include "scene.hpp"
+
+#include <imbibe/fluid/summation_density.hpp>
+
+struct Water
+    : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::SummationDensity<K>, sph::SymmetricPressure<K>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    scene.run_until(1);
+}

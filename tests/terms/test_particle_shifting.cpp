@@ -1,0 +1,115 @@
+// ParticleShifting: still on a lattice and at surfaces, away from where particles are many, within its bound.
+#include "cloud.hpp"
+
+#include <imbibe/fluid/particle_shifting.hpp>
+
+using namespace cloud;
+
+namespace {
+
+using K = WendlandC2;
+using Term = ParticleShifting<K>;
+
+Water water_here() {
+    return {.density = 1000, .sound_speed = 30, .viscosity = 1e-3, .support_radius = 3e-3, .spacing = 1e-3};
+}
+
+template <int dim>
+void shift(Cloud<dim, Water>& fluid, const Term::Parameters& with = {}) {
+    for (auto& a : fluid) {
+        auto gradient = Vector<Number<double>, dim>::zero();
+        Number<double> divergence = 0;
+        for (const auto& b : fluid) {
+            const auto ab = geometry<ShiftingNeighbours<K>, dim>(a, b);
+            const auto [g, d] = ShiftingNeighbours<K>{}(a, b, ab);
+            gradient += contribution(ab, g);
+            divergence += d;
+        }
+        a.set(concentration_gradient, gradient).set(position_divergence, divergence);
+    }
+    prepare(Term::Detect{with}, surface_indicator, fluid);
+    gather(Term::Approach{}, surface_nearness, fluid, fluid);
+    prepare(Term::Shift{with}, transport_correction, fluid);
+}
+
+template <int dim>
+auto& centre(Cloud<dim, Water>& fluid) {
+    return fluid[fluid.size() / 2];
+}
+
+template <int dim>
+Cloud<dim, Water> stream() {
+    auto fluid = block<dim>(water_here(), 9, 0); // five layers from the surface to the centre
+    for (auto& p : fluid)
+        p.set(velocity, vec<dim>(Column<dim>::Unit(0) * 2));
+    return fluid;
+}
+
+template <int dim>
+void check_lattice() {
+    auto fluid = stream<dim>();
+    shift<dim>(fluid);
+    for (const auto& p : fluid) {
+        const Column<dim> from_centre = (plain(p[position]) - Column<dim>::Constant(4e-3)) / 1e-3;
+        const double layer = 4 - from_centre.cwiseAbs().maxCoeff(); // 0 at the surface
+        const double indicator = plain(p[surface_indicator]);
+        if (layer < 0.5)
+            CHECK(indicator == 1);
+        else if (layer > 1.5)
+            CHECK(indicator == 0);
+        if (layer < 1.5)
+            CHECK(plain(p[transport_correction]).norm() == 0);
+        CHECK(plain(p[transport_correction]).norm() < 1e-12);
+    }
+    CHECK(plain(centre<dim>(fluid)[position_divergence]) == Approx(1).epsilon(0.01));
+    CHECK(plain(centre<dim>(fluid)[surface_nearness]) == 0);
+}
+
+template <int dim>
+void check_direction() {
+    auto fluid = stream<dim>();
+    const Column<dim> there = plain(centre<dim>(fluid)[position]);
+    const Column<dim> aside = Column<dim>::Unit(1) * 2e-5;
+    centre<dim>(fluid).set(position, vec<dim>(there + aside));
+    shift<dim>(fluid);
+    auto& a = centre<dim>(fluid);
+    // by hand: - |v| H sum V (1 + 0.2 (W/W(spacing))^4) grad W, far from its bound
+    Column<dim> g = Column<dim>::Zero();
+    const auto w = [](double q) { return q < 1 ? std::pow(1 - q, 4) * (1 + 4 * q) : 0; };
+    const double norm = (dim == 2 ? 7 / pi : 21 / (2 * pi)) / std::pow(3e-3, dim + 2);
+    for (const auto& b : fluid) {
+        const Column<dim> x = plain(a[position]) - plain(b[position]);
+        const double q = x.norm() / 3e-3;
+        if (q < 1)
+            g += std::pow(1e-3, dim) * (1 + 0.2 * std::pow(w(q) / w(1.0 / 3), 4)) * -20 * norm * std::pow(1 - q, 3) * x;
+    }
+    const Term::Parameters with{.strength = 1.5};
+    const Column<dim> v = plain(Term::Shift{with}(a)), expected = -2 * 1.5 * 3e-3 * g;
+    CHECK((v - expected).norm() < 1e-12 * expected.norm());
+    CHECK(v[1] < 0); // back
+    CHECK(v.norm() < 0.25 * 2);
+    // the bound, and the speed that counts at the least
+    CHECK(plain(Term::Shift{{.strength = 1e6}}(a)).norm() == Approx(0.25 * 2));
+    a.set(velocity, Vector<Number<double>, dim>::zero());
+    CHECK(plain(Term::Shift{with}(a)).norm() == 0);
+    CHECK(plain(Term::Shift{{.strength = 1.5, .least_speed = 4}}(a)).norm() == Approx(2 * expected.norm()));
+    // alone
+    auto drop = block<dim>(water_here(), 1, 0);
+    shift<dim>(drop);
+    CHECK(plain(drop.front()[transport_correction]).norm() == 0);
+}
+
+} // namespace
+
+TEST_CASE("ParticleShifting leaves a lattice and free surfaces alone") {
+    check_lattice<2>();
+    check_lattice<3>();
+}
+TEST_CASE("ParticleShifting brings a particle back, within its bound") {
+    check_direction<2>();
+    check_direction<3>();
+}
+TEST_CASE("ParticleShifting checks its coefficients") {
+    CHECK_THROWS_AS(ParticleShiftingParameters{.strength = -1}.check("Water"), Error);
+    CHECK_THROWS_AS((ParticleShiftingParameters{.surface_below = 0.9, .inside_above = 0.8}.check("Water")), Error);
+}
