@@ -183,7 +183,7 @@ int main(int argc, char** argv) {
             study.axis("support", {"3", "2.6", "4"}).axis("cfl", {"0.4", "0.2", "0.8"}).repeat(2);
             rows = study.one_at_a_time(vortices_by, {"across"});
         } else {
-            study.axis("across", quick ? Words{"10", "20"} : Words{"10", "20", "40"});
+            study.axis("across", quick ? Words{"10", "20"} : Words{"10", "20", "40", "80"});
             study.axis("method", {"Wendland C2", "Wendland C4", "quintic spline", "float", "predictor-corrector"});
             study.axis("support", {"2.6", "2", "3.5"}).axis("cfl", {"0.4", "0.2", "0.8"});
             rows = study.one_at_a_time(plates_by, {"across"});
