@@ -20,6 +20,7 @@
 #include <imbibe/output/table.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
 #include <imbibe/solid/clamped.hpp>
+#include <imbibe/solid/hughes_winget.hpp>
 #include <imbibe/solid/jaumann_stress.hpp>
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
