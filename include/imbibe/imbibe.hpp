@@ -3,6 +3,8 @@
 #pragma once
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/coupling/modified_repulsion.hpp>
+#include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/density_floor.hpp>
@@ -25,6 +27,7 @@
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
+#include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/solver.hpp>

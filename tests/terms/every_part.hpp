@@ -4,6 +4,8 @@
 #include "hand.hpp"
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/coupling/modified_repulsion.hpp>
+#include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/laminar_viscosity.hpp>
@@ -16,6 +18,7 @@
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
+#include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
@@ -48,7 +51,10 @@ using EveryPairPart = TypeList<
     Case<DensityDiffusion<>::Smooth, Water, Water, false>, Case<MorrisViscosity<>, Water, Water, true>,
     Case<NoSlipViscosity<>, Water, Sponge, true>, Case<ReferenceCorrection<>::Moments, Sponge, Sponge, false>,
     Case<DeformationGradient<>::Sum, Sponge, Sponge, false>, Case<TotalLagrangianForce<>::Push, Sponge, Sponge, true>,
-    Case<HourglassControl<>::Push, Sponge, Sponge, true>, Case<TotalLagrangianViscosity<>::Push, Sponge, Sponge, true>>;
+    Case<HourglassControl<>::Push, Sponge, Sponge, true>, Case<TotalLagrangianViscosity<>::Push, Sponge, Sponge, true>,
+    Case<ModifiedRepulsion, Water, Sponge, true>, Case<SurfaceNormalPressure<>::Push, Water, Sponge, true>,
+    Case<SurfaceNormalPressure<>::Push, Sponge, Water, true>, Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>,
+    Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>>;
 
 /// Those with two results, which are no force and not zero for the particle itself.
 using PairPartsWithTwoResults = TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
@@ -79,7 +85,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     for (auto& c : t.c)
         c += dice(-0.1, 0.1);
     p.set(deformation_gradient, t).set(corrected_piola_stress, t);
-    p.set(no_slip_velocity, dice.vector<dim>(1));
+    p.set(no_slip_velocity, dice.vector<dim>(1)).set(surface_normal, dice.vector<dim>(0.5));
     return p;
 }
 
