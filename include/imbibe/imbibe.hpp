@@ -24,6 +24,7 @@
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/hughes_winget.hpp>
 #include <imbibe/solid/jaumann_stress.hpp>
+#include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>

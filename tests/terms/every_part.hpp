@@ -15,6 +15,7 @@
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
+#include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
@@ -54,7 +55,7 @@ using EveryPairPart = TypeList<
     Case<HourglassControl<>::Push, Sponge, Sponge, true>, Case<TotalLagrangianViscosity<>::Push, Sponge, Sponge, true>,
     Case<ModifiedRepulsion, Water, Sponge, true>, Case<SurfaceNormalPressure<>::Push, Water, Sponge, true>,
     Case<SurfaceNormalPressure<>::Push, Sponge, Water, true>, Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>,
-    Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>>;
+    Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>>;
 
 /// Those with two results, which are no force and not zero for the particle itself.
 using PairPartsWithTwoResults = TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
@@ -86,6 +87,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
         c += dice(-0.1, 0.1);
     p.set(deformation_gradient, t).set(corrected_piola_stress, t);
     p.set(no_slip_velocity, dice.vector<dim>(1)).set(surface_normal, dice.vector<dim>(0.5));
+    p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
     return p;
 }
 
