@@ -90,7 +90,8 @@ void check_limits() {
                 L(i, j) = dice(-100, 100), T(i, j) = dice(-1e5, 1e5);
         const Matrix<dim> S = T + T.transpose();
         // for steps without length: the Jaumann rate
-        CHECK(relative_error(rate_of<HughesWingetStress<>, dim>(L, S, 0), rate_of<JaumannStress, dim>(L, S, 0)) < 1e-13);
+        CHECK(relative_error(rate_of<HughesWingetStress<>, dim>(L, S, 0), rate_of<JaumannStress, dim>(L, S, 0)) <
+              1e-13);
         // by hand, in the form of the source: S' = Q S Q^T + 2 G dt dev(e)
         constexpr double dt = 2e-3;
         const Matrix<dim> one = Matrix<dim>::Identity();

@@ -49,9 +49,9 @@ void check_repulsion() {
         for (const auto& b : solid) {
             const Column<dim> x = plain(a[position]) - plain(b[position]), v = plain(a[velocity]) - plain(b[velocity]);
             const double r = x.norm(), r0 = 0.9e-3, share = v.dot(x) > 0 ? 0.25 : 1, m = plain(b[mass]);
-            const Column<dim> expected = r < r0 ? Column<dim>(m / (m + plain(a[mass])) * 1.5 * 4 / r0 *
-                                                              std::pow(1 - r / r0, 2) * share * x / r)
-                                                : Column<dim>::Zero();
+            const Column<dim> expected =
+                r < r0 ? Column<dim>(m / (m + plain(a[mass])) * 1.5 * 4 / r0 * std::pow(1 - r / r0, 2) * share * x / r)
+                       : Column<dim>::Zero();
             const Column<dim> got = given(push, a, b) / plain(a[mass]);
             CHECK((got - expected).norm() <= 1e-12 * expected.norm());
             near += r < r0;
@@ -106,7 +106,9 @@ Cloud<dim, Sponge> slab(const Matrix<dim>& F, bool from_reference) {
 template <int dim>
 void check_normals() {
     const int n = dim == 2 ? 9 : 7;
-    const auto at = [&](int i, int j) { return static_cast<std::size_t>(i + n * j + (dim == 3 ? n * n * (n / 2) : 0)); };
+    const auto at = [&](int i, int j) {
+        return static_cast<std::size_t>(i + n * j + (dim == 3 ? n * n * (n / 2) : 0));
+    };
     const Matrix<dim> one = Matrix<dim>::Identity();
     for (const bool reference : {false, true}) {
         const auto body = slab<dim>(one, reference);

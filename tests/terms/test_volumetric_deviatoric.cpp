@@ -154,6 +154,23 @@ void check_checkerboard() {
     CHECK(std::abs(left_in_stress) < 0.005);
 }
 
+// The same J everywhere: the mean stress of a particle relative to what it should be.
+void check_faces() {
+    auto body = block<2>(rubber(), 11, 0);
+    for (auto& p : body) {
+        p.material.support_radius = 2e-3;
+        p.set(volume_ratio, 1.01);
+    }
+    gather(Law::Weigh{}, average_weight, body, body);
+    average(body);
+    const double expected = K / 2 * (1.01 - 1 / 1.01);
+    const auto at = [&](std::size_t k) { return plain(body[k][averaged_mean_stress]) / expected; };
+    CHECK(at(5 + 5 * 11) == Approx(1).epsilon(1e-12));
+    CHECK(at(0 + 5 * 11) == Approx(0.94).margin(0.005)); // at a face, behind it, at a corner
+    CHECK(at(1 + 5 * 11) == Approx(1.056).margin(0.005));
+    CHECK(at(0) == Approx(0.88).margin(0.005));
+}
+
 } // namespace
 
 TEST_CASE("VolumetricDeviatoric: the force is minus the derivative of the energy, and balanced") {
@@ -166,6 +183,9 @@ TEST_CASE("VolumetricDeviatoric: no stress from a rotation, the right one from a
 }
 TEST_CASE("VolumetricDeviatoric: an alternating volume leaves hardly a trace in the mean stress") {
     check_checkerboard();
+}
+TEST_CASE("VolumetricDeviatoric: the mean stress at faces and corners is as good as the comment says") {
+    check_faces();
 }
 TEST_CASE("VolumetricDeviatoric reads what it should, where it should") {
     CHECK(sides<Law::Weigh, 3, Sponge>() == "| mass");

@@ -12,7 +12,8 @@ namespace imbibe {
 /// Coefficients of ModifiedRepulsion.
 struct ModifiedRepulsionParameters {
     /// U, m/s: a pair that approaches with this speed along its line of centres is stopped as its particles touch.
-    /// About the greatest speed of the impact; if the repulsion has to bear a pressure p alone, above sqrt(p/rho).
+    /// About the greatest speed of the impact; if the repulsion has to bear a pressure p alone, ten to twenty times
+    /// sqrt(p/rho).
     double speed = 1;
     /// How far it reaches, in means of the two particle spacings; at most the support radius counts.
     double range = 1;
@@ -24,8 +25,8 @@ struct ModifiedRepulsionParameters {
     void check(std::string_view where) const {
         require_not_negative(speed, where, "ModifiedRepulsionParameters::speed", "m/s");
         require_not_negative(range, where, "ModifiedRepulsionParameters::range", "spacings");
-        require(restitution >= 0 && restitution <= 1, where, ": ModifiedRepulsionParameters::restitution = ",
-                restitution, "; it must be at least 0 and at most 1");
+        require(restitution >= 0 && restitution <= 1, where,
+                ": ModifiedRepulsionParameters::restitution = ", restitution, "; it must be at least 0 and at most 1");
     }
 };
 
@@ -37,9 +38,10 @@ struct ModifiedRepulsionParameters {
 /// the two, the larger the force, so one U serves all masses. The force of the pair is along the line of centres, equal
 /// and opposite, to the last bit where the masses are equal: momentum and angular momentum are kept.
 ///
-/// Beside a pressure coupling (VolumePressure with PressureExtrapolation, SurfaceNormalPressure), or as the only
-/// coupling of a rough contact: then with restitution 1, because under a steady load a pair that pushes on approach only
-/// trembles, and with a U of some sqrt(p/rho).
+/// Beside a pressure coupling (VolumePressure with PressureExtrapolation, SurfaceNormalPressure), where it changes
+/// nothing until particles come out of order; or as the only coupling of a rough contact. Alone, with U = 40 m/s, it
+/// bore half a metre of water on a soft plate (4.9 kPa); the plate hung down 3 % less than under the same weight
+/// without water, with a restitution of 0 as with 1.
 ///
 /// Not for a pressure on the solid that should be accurate where it is the only coupling: the force sits on single
 /// particles and the gap depends on U. Not conservative, for restitution below 1, by intent.
