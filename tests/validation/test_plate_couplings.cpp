@@ -141,11 +141,11 @@ TEST_CASE("Water on a soft plate weighs the same through every coupling", "[vali
     CHECK(guarded == Approx(extrapolated).epsilon(0.001)); // a guard that has nothing to do
 }
 
-TEST_CASE("Ten particles across", "[.ten]") {
-    const double dry = dry_sag(10) / soft_plate;
-    WARN("dry " << dry);
+// Measured: 1.044 dry, 1.037 extrapolated, 1.033 along normals.
+TEST_CASE("Water on a soft plate of ten particles across bends it as elasticity says", "[validation][solid][long]") {
     const double extrapolated = wet_sag<PlateA, Extrapolated>(10) / soft_plate;
-    WARN("extrapolated " << extrapolated);
-    const double normals = wet_sag<PlateB, AlongNormals>(10) / soft_plate;
-    WARN("normals " << normals);
+    const double along_normals = wet_sag<PlateB, AlongNormals>(10) / soft_plate;
+    CAPTURE(extrapolated, along_normals);
+    CHECK(extrapolated == Approx(1).epsilon(0.04)); // the reference's own tolerance
+    CHECK(along_normals == Approx(1).epsilon(0.04));
 }
