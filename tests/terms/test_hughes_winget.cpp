@@ -122,9 +122,9 @@ TEST_CASE("HughesWingetStress is the rotated stress plus Hooke's law, and the Ja
 
 namespace in_a_scene {
 
-constexpr double turn_per_step = 2 * pi / 100, step = 1e-4;
+constexpr double step = 1e-4; // s
 
-/// The velocity gradient of a motion that turns by `turn_per_step` in every step.
+/// The velocity gradient of a motion that makes one turn in 100 steps.
 struct Spin {
     using sets = Fields<velocity_gradient>;
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
