@@ -4,6 +4,8 @@
 
 #include <imbibe/accuracy/study.hpp>
 #include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/coupling/modified_repulsion.hpp>
+#include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
@@ -28,10 +30,13 @@
 #include <imbibe/output/table.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
 #include <imbibe/solid/clamped.hpp>
+#include <imbibe/solid/hughes_winget.hpp>
 #include <imbibe/solid/jaumann_stress.hpp>
+#include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
+#include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/solver.hpp>

@@ -4,6 +4,8 @@
 #include "hand.hpp"
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
+#include <imbibe/coupling/modified_repulsion.hpp>
+#include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
@@ -17,9 +19,11 @@
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
+#include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
+#include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
@@ -38,6 +42,11 @@ struct Case {
 
 template <int dim>
 using Laminar = LaminarViscosity<std::conditional_t<dim == 3, ViscosityKernel, ViscosityKernel2D>>;
+
+/// ModifiedRepulsion with the reach of the support, where these tests expect the rim.
+struct WideRepulsion : ModifiedRepulsion {
+    constexpr WideRepulsion() { parameters.range = 2; }
+};
 
 template <int dim>
 using EveryPairPart = TypeList<
@@ -59,7 +68,10 @@ using EveryPairPart = TypeList<
     Case<RiemannWallPressure<>::Push, Sponge, Water, true>, Case<RiemannWallContinuity<>, Water, Sponge, false>,
     Case<ClearyViscosity<>, Water, Water, true>, Case<ClearyViscosity<>, Water, Sponge, true>,
     Case<CurrentCorrection<>::Moments, Water, Water, false>, Case<AntuonoDiffusion<>::Sum, Water, Water, false>,
-    Case<AntuonoDiffusion<>::Smooth, Water, Water, false>>;
+    Case<AntuonoDiffusion<>::Smooth, Water, Water, false>, Case<WideRepulsion, Water, Sponge, true>,
+    Case<SurfaceNormalPressure<>::Push, Water, Sponge, true>, Case<SurfaceNormalPressure<>::Push, Sponge, Water, true>,
+    Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>,
+    Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>>;
 
 /// Those that are no force and not zero for the particle itself, or have two results.
 using OtherPairParts =
@@ -95,6 +107,8 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(no_slip_velocity, dice.vector<dim>(1));
     p.set(wall_direction, dice.vector<dim>(1e3)).set(density_gradient, dice.vector<dim>(1e4));
     p.set(pressure_over_impedance, p[pressure] / detail::impedance(p.material)).set(surface_indicator, dice(0, 1));
+    p.set(surface_normal, dice.vector<dim>(0.5));
+    p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
     return p;
 }
 

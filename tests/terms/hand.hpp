@@ -42,6 +42,7 @@ public:
     using Material = Material_;
     static constexpr int dimension = dim;
     Material material{};
+    double time_step = 0; // s
 
     explicit Particle(const Material& m = {}) : material(m) {}
 

@@ -57,6 +57,7 @@ struct RecordingParticle {
     static constexpr int dimension = dim;
     bool* seen;
     const Material& material = default_material<Material>;
+    double time_step = 0.01;
 
     template <class F>
     constexpr auto operator[](F) const {

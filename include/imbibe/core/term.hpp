@@ -4,6 +4,7 @@
 // `using parts = Parts<...>`. A part is
 //   - a particle function  (a) -> values, with `reads`, and `sets` and/or `adds`, or
 //   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`.
+// Besides its fields a particle has `material`, `gravity()` and `time_step`, the length of the step that is taken, s.
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
 // `static constexpr bool once = true;` (evaluated when the particles are added, not in every step).
 // Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part),

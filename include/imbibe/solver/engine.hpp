@@ -113,7 +113,7 @@ private:
             for (int i = begin; i < end; ++i) {
                 OwnValues<Reads, dim, Number<Real>> own;
                 own.template load<FieldsOf<P>>(s.data() + i, s.stride());
-                const OwnView<P, Reads, dim, Number<Real>> a{own, s.material, this->gravity};
+                const OwnView<P, Reads, dim, Number<Real>> a{own, s.material, this->gravity, step_length};
                 write_results<N>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
             }
         }
@@ -166,7 +166,7 @@ private:
                 t = T(0);
             OwnValues<OwnFields, dim, T> own;
             own.template load<FieldsOf<P>>(s.data() + i, s.stride());
-            const OwnView<P, OwnFields, dim, T> a{own, s.material, this->gravity};
+            const OwnView<P, OwnFields, dim, T> a{own, s.material, this->gravity, step_length};
             (gather<S, FieldsOf<typename S::B>>(
                  Filter<NodesFrom<S>::template Keep, Nodes>{},
                  std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(std::get<k>(parts))>>>{}, sums,

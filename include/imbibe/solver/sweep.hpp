@@ -82,6 +82,7 @@ struct OwnView {
     const OwnValues<List, dim, T>& own;
     const P& material;
     const Vector<double, dim>& gravity_now;
+    double time_step; ///< by how much states are advanced in this step, s; 0 for what is computed once
 
     template <class F>
     IMBIBE_INLINE auto operator[](F) const {

@@ -1,0 +1,79 @@
+// A short-range repulsion between fluid and solid that acts while they approach.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/core/term.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace imbibe {
+
+/// Coefficients of ModifiedRepulsion.
+struct ModifiedRepulsionParameters {
+    /// U, m/s: a pair that approaches with this speed along its line of centres is stopped as its particles touch.
+    /// About the greatest speed of the impact; if the repulsion has to bear a pressure p alone, ten to twenty times
+    /// sqrt(p/rho).
+    double speed = 1;
+    /// How far it reaches, in means of the two particle spacings; at most the support radius counts.
+    double range = 1;
+    /// Coefficient of restitution of a pair, 0 to 1: its speed of separation over that of approach. With 0 it acts on
+    /// approach only; with 1 it is an elastic spring.
+    double restitution = 0;
+
+    /// Throws Error for a number out of range. @param where the phase or coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(speed, where, "ModifiedRepulsionParameters::speed", "m/s");
+        require_not_negative(range, where, "ModifiedRepulsionParameters::range", "spacings");
+        require(restitution >= 0 && restitution <= 1, where,
+                ": ModifiedRepulsionParameters::restitution = ", restitution, "; it must be at least 0 and at most 1");
+    }
+};
+
+/// dv_a/dt = sum_b m_b/(m_a + m_b) 3 U^2/(2 r_0) (1 - r/r_0)^2 s_ab x_ab/r for r < r_0, in m/s^2, with r = |x_ab|,
+/// r_0 = `range` mean spacings, and s_ab = 1 while the pair approaches (v_ab . x_ab <= 0), else restitution^2.
+///
+/// A guard of couplings: keeps fluid and solid particles from passing each other, is silent where they are in order,
+/// and takes the energy out of an impact instead of giving it back. It is a force per mass: the heavier the lighter of
+/// the two, the larger the force, so one U serves all masses. The force of the pair is along the line of centres, equal
+/// and opposite, to the last bit where the masses are equal: momentum and angular momentum are kept.
+///
+/// Beside a pressure coupling (VolumePressure with PressureExtrapolation, SurfaceNormalPressure), where it changes
+/// nothing until particles come out of order; or as the only coupling of a rough contact. Alone, with U = 40 m/s, it
+/// bore half a metre of water on a soft plate (4.9 kPa); the plate hung down 3 % less than under the same weight
+/// without water, with a restitution of 0 as with 1.
+///
+/// Not for a pressure on the solid that should be accurate where it is the only coupling: the force sits on single
+/// particles and the gap depends on U. Not conservative, for restitution below 1, by intent.
+///
+/// Source: own form. That a repulsion between fluid and solid be limited to close pairs is the idea of Amini, Emdad and
+/// Farid (2011), whose formula it is not; a spring that unloads with restitution^2 of its force: Walton and Braun
+/// (1986), for grains.
+struct ModifiedRepulsion {
+    using Parameters = ModifiedRepulsionParameters;
+    using reads = Fields<mass, velocity>;
+    using adds = Fields<acceleration>;
+    Parameters parameters{};
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        using T = std::remove_cvref_t<decltype(ab.distance)>;
+        const double spacings = parameters.range * 0.5 * (a.material.spacing + b.material.spacing);
+        const T reach = min(ab.support_radius, T(max(spacings, 1e-30)));
+        const T depth = positive_part(1 - ab.distance / reach);
+        const auto parting = dot(a[velocity] - b[velocity], ab.offset) > T(0);
+        const T share = select(parting, T(sq(parameters.restitution)), T(1));
+        const T strength = T(1.5 * sq(parameters.speed)) * sq(depth) * share / reach;
+        return along(ab, b[mass] / (a[mass] + b[mass]) * strength * ab.inverse_distance());
+    }
+
+    static constexpr const char* limit_name = "repulsion";
+    /// r_0/(U + v), s, with the greatest speeds of the two phases together, v: shorter than 2 over the frequency of a
+    /// pair, 2 r_0/(sqrt(3) U), and than the time in which a particle crosses the range.
+    static double time_step_limit(const auto&, const auto&, const TimeStepInput& in, const Parameters& parameters) {
+        const double reach = parameters.range * 0.5 * (in.spacing + in.other_spacing);
+        const double fastest = parameters.speed + in.max_speed + in.other_max_speed;
+        return parameters.speed > 0 && reach > 0 ? reach / fastest : std::numeric_limits<double>::infinity();
+    }
+};
+
+} // namespace imbibe
