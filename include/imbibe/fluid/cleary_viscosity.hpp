@@ -22,7 +22,8 @@ constexpr double harmonic_viscosity(const auto& material_a, const auto& material
 /// The force of the pair is along the line of centres, equal and opposite, to the last bit where the masses are equal:
 /// linear and angular momentum are conserved. The harmonic mean lets the shear stress pass an interface between fluids
 /// unchanged. A solid, and a wall without a viscosity of its own, shows the fluid's, and sticks to it.
-/// For flows that turn (the square patch, vortices, drops) and free surfaces, where it is consistent with no stress.
+/// For flows that turn (the square patch, vortices, drops) and free surfaces, where it is consistent with no stress
+/// (Colagrossi, Antuono, Souto-Iglesias and Le Touze 2011).
 ///
 /// Not where div v matters: its limit is eta (Laplacian v + 2 grad div v)/rho. Not for particles that stay on a lattice
 /// (flow between plates), where it depends on the direction: with 3 spacings of WendlandC2 the viscosity is 11 % too

@@ -130,7 +130,7 @@ struct AntuonoDiffusion {
     using parts = Parts<Volume, Sum, Correct, Smooth>;
 
     static constexpr const char* limit_name = DensityDiffusion<Kernel>::limit_name;
-    /// That of DensityDiffusion, s: taking the linear part out only makes the smoothing slower.
+    /// That of DensityDiffusion, s: what decays fastest, from particle to particle, has no linear part to take out.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         return DensityDiffusion<Kernel>::time_step_limit(material, in, {.delta = parameters.delta});
     }
