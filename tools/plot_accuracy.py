@@ -32,6 +32,14 @@ def read_rows(path):
     return [name for name in table[0] if name not in MEASURED], table
 
 
+def is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", help="CSV file of a study")
@@ -65,7 +73,8 @@ def main():
         error = np.array([row["error"] for row in group])
         spread = [error - [row["least error"] for row in group], [row["greatest error"] for row in group] - error]
         base = list(groups)[0]
-        label = ", ".join(f"{word}" for word, first in zip(choice, base) if k == 0 or word != first) or "as above"
+        words = [word if not is_number(word) else f"{axis} {word}" for axis, word in zip(varied, choice)]
+        label = ", ".join(word for word, own, first in zip(words, choice, base) if k == 0 or own != first)
         panel.errorbar(time, error, yerr=np.maximum(spread, 0), color=CURVES[k % len(CURVES)],
                        marker=markers[k // len(CURVES) % len(markers)], markersize=4.5, linewidth=1.1, capsize=2,
                        label=label)
