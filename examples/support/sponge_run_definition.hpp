@@ -137,9 +137,12 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         return notes;
     };
 
-    // What falls outside the tank has jumped over its rim, not gone through the sponge.
+    // What falls outside the tank has jumped over its rim, not gone through the sponge. What has gone through may
+    // spread by a part of a spacing below the walls, which are thicker than that.
     const auto in_the_tank = [&](double x, double y) {
-        return x > 0 && x < numbers.length() && (numbers.strip || (y > 0 && y < numbers.width()));
+        const double margin = numbers.water_spacing;
+        return x > -margin && x < numbers.length() + margin &&
+               (numbers.strip || (y > -margin && y < numbers.width() + margin));
     };
     const auto below = [&] {
         int n = left;
