@@ -5,8 +5,10 @@
 // to 0.16 s, and about 30 and 10 mm at 0.4 s. Rubber is stiff for its size: the gate takes some ten steps for one of
 // the water (Subcycled).
 //
-//   build/elastic_gate           to 0.4 s; then open out-elastic-gate/water.pvd and gate.pvd in ParaView
-//   build/elastic_gate 0.5       with a spacing of 0.5 mm instead of 1 mm
+//   build/elastic_gate                    then open out-elastic-gate/water.pvd and gate.pvd in ParaView
+//   build/elastic_gate 0.5                with a spacing of 0.5 mm instead of 1 mm
+//   build/elastic_gate 1 7.8e6 0.47       with the softer rubber (Young's modulus in Pa, Poisson's ratio) of later
+//   papers
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
@@ -41,7 +43,7 @@ int main(int argc, char** argv) {
         Water water{{.density = 1000, .sound_speed = 10 * std::sqrt(2 * 9.81 * depth)}};
         water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
         const auto pool = scene.add(water, sph::fill(sph::Box<2>{{0, 0}, {width, depth}}, dx), dx);
-        const double E = 1.2e7, nu = 0.4;
+        const double E = argc > 2 ? std::atof(argv[2]) : 1.2e7, nu = argc > 3 ? std::atof(argv[3]) : 0.4;
         const auto gate =
             scene.add(Gate{{.density = 1100,
                             .sound_speed = sph::sound_speed_of(E, nu, 1100),
@@ -58,6 +60,7 @@ int main(int argc, char** argv) {
         std::printf("%s", sph::describe(scene).c_str());
 
         // The way of the gate's lower end
+        sph::Snapshots snapshots("out-elastic-gate");
         sph::Table table("out-elastic-gate/gate.csv", {{"time", "s"}, {"sideways", "m"}, {"up", "m"}});
         const auto tip = [&](const Scene& s) {
             const auto x = s[gate][sph::position], X = s[gate][sph::reference_position];
@@ -71,8 +74,7 @@ int main(int argc, char** argv) {
             table.row({s.time(), sum[0] / count, sum[1] / count});
         };
         const sph::PhaseHandle<Water> drops = pool;
-        scene.run_until(end, sph::Progress(end, false), sph::every(2e-3, tip),
-                        sph::every(0.02, sph::Snapshots("out-elastic-gate")),
+        scene.run_until(end, sph::Progress(end, false), sph::every(2e-3, tip), sph::every(0.02, std::ref(snapshots)),
                         [&](Scene& s) { s.remove_if(drops, [&](const auto& x) { return x[0] > length - 2 * dx; }); });
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "elastic_gate: %s\n", error.what());

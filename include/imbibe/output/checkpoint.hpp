@@ -159,6 +159,45 @@ void write_checkpoint(Scene& scene, const std::filesystem::path& path, const Che
     });
 }
 
+namespace detail {
+
+/// Brings a scene to the state in the bytes of a checkpoint; see read_checkpoint. `path`: for messages.
+template <class Scene>
+CheckpointNotes restore(Scene& scene, const std::string& all, const std::string& path) {
+    require(all.starts_with(checkpoint_title), "checkpoint ", path,
+            ": it does not begin as a checkpoint of this version does (", checkpoint_title.substr(0, 19), ")");
+    std::uint64_t stored = 0;
+    require(all.size() >= checkpoint_title.size() + sizeof stored, "checkpoint ", path,
+            ": it is cut off; take the one before it, ", path, ".previous");
+    const std::string_view content(all.data(), all.size() - sizeof stored);
+    std::memcpy(&stored, content.data() + content.size(), sizeof stored);
+    require(stored == checksum(content), "checkpoint ", path,
+            ": its checksum is wrong, so it is cut off or damaged; take the one before it, ", path, ".previous");
+
+    const std::string head = checkpoint_head(scene);
+    const auto end = content.find(end_of_checkpoint_head);
+    const std::string found(content.substr(0, end == std::string_view::npos ? 0 : end + end_of_checkpoint_head.size()));
+    const auto [theirs, ours] = first_difference(found, head);
+    require(found == head, "checkpoint ", path, ": it is of another scene. It says '", theirs,
+            "' where this scene has '", ours, "'");
+
+    CheckpointReader state{content.substr(found.size()), path};
+    CheckpointNotes notes;
+    std::uint64_t count = 0;
+    state(count);
+    for (std::uint64_t k = 0; k < count; ++k) {
+        std::string name;
+        double value = 0;
+        state(name);
+        state(value);
+        notes[name] = value;
+    }
+    scene.archive(state);
+    return notes;
+}
+
+} // namespace detail
+
 /// Brings a scene to the state in a checkpoint. The scene must be made as it was for the run that wrote it: the same
 /// composition, number type, densities, spacings, supports, origin and periods, with its phases added; how many
 /// particles they have does not matter. Other numbers of materials, coefficients and settings are those of this scene.
@@ -175,38 +214,7 @@ CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path)
                 ? "; the one before it is there, with the ending .previous"
                 : "");
     const std::string all{std::istreambuf_iterator<char>(in), {}};
-    require(all.starts_with(detail::checkpoint_title), "checkpoint ", path.string(),
-            ": it does not begin as a checkpoint of this version does (", detail::checkpoint_title.substr(0, 19), ")");
-    std::uint64_t stored = 0;
-    require(all.size() >= detail::checkpoint_title.size() + sizeof stored, "checkpoint ", path.string(),
-            ": it is cut off; take the one before it, ", path.string(), ".previous");
-    const std::string_view content(all.data(), all.size() - sizeof stored);
-    std::memcpy(&stored, content.data() + content.size(), sizeof stored);
-    require(stored == detail::checksum(content), "checkpoint ", path.string(),
-            ": its checksum is wrong, so it is cut off or damaged; take the one before it, ", path.string(),
-            ".previous");
-
-    const std::string head = detail::checkpoint_head(scene);
-    const auto end = content.find(detail::end_of_checkpoint_head);
-    const std::string found(
-        content.substr(0, end == std::string_view::npos ? 0 : end + detail::end_of_checkpoint_head.size()));
-    const auto [theirs, ours] = detail::first_difference(found, head);
-    require(found == head, "checkpoint ", path.string(), ": it is of another scene. It says '", theirs,
-            "' where this scene has '", ours, "'");
-
-    detail::CheckpointReader state{content.substr(found.size()), path.string()};
-    CheckpointNotes notes;
-    std::uint64_t count = 0;
-    state(count);
-    for (std::uint64_t k = 0; k < count; ++k) {
-        std::string name;
-        double value = 0;
-        state(name);
-        state(value);
-        notes[name] = value;
-    }
-    scene.archive(state);
-    return notes;
+    return detail::restore(scene, all, path.string());
 }
 
 /// An observer for `run_until` that writes a checkpoint every so many seconds of wall time, where Settings::

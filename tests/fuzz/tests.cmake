@@ -1,0 +1,13 @@
+# Programs that feed any bytes to what reads files; clang only. A short run of each is a test, label `fuzz`.
+if(IMBIBE_FUZZ)
+    file(GLOB programs CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/fuzz_*.cpp)
+    foreach(program IN LISTS programs)
+        get_filename_component(name ${program} NAME_WE)
+        add_executable(${name} ${program})
+        target_link_libraries(${name} PRIVATE imbibe_options)
+        target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
+        target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+        add_test(NAME ${name} COMMAND ${name} -max_total_time=60 -print_final_stats=1)
+        set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT 300)
+    endforeach()
+endif()

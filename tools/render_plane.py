@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Pictures of a two-dimensional run from its folder: all phases at several times, one panel each.
+
+    python3 tools/render_plane.py out-elastic-gate -o gate.png
+    python3 tools/render_plane.py out-elastic-gate --times 40 120 400 --fluid water --speed 2 -o gate.png
+
+Particles are drawn as discs of their own area: the fluid coloured by its speed, walls grey, other phases in one colour.
+"""
+
+import argparse
+import glob
+import os
+import sys
+
+import particle_files
+from picture_style import GREY, SPONGE, WALL, WATER, np, plt, save
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import EllipseCollection
+from matplotlib.colors import Normalize
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", help="the folder of a run")
+    parser.add_argument("-o", "--output", default="plane.png", help="the picture (default: plane.png)")
+    parser.add_argument("--times", nargs="+", type=float, metavar="MS",
+                        help="which times, in ms (the nearest are taken)")
+    parser.add_argument("--count", type=int, default=4, help="how many times, evenly spaced (default: 4)")
+    parser.add_argument("--fluid", default="water", help="the phase that is coloured by its speed (default: water)")
+    parser.add_argument("--walls", nargs="*", default=["tank", "plates", "vessel", "wall"], help="phases drawn in grey")
+    parser.add_argument("--speed", type=float, metavar="M/S", help="the speed at the dark end of the scale")
+    parser.add_argument("--columns", type=int, default=2, help="panels beside each other (default: 2)")
+    parser.add_argument("--title", help="a line above the picture")
+    parser.add_argument("--dpi", type=int, default=150)
+    return parser.parse_args()
+
+
+def main():
+    arguments = read_arguments()
+    lists = {os.path.splitext(os.path.basename(path))[0]: particle_files.read_series(path)
+             for path in glob.glob(os.path.join(arguments.folder, "*.pvd"))}
+    if arguments.fluid not in lists:
+        sys.exit(f"render_plane.py: there is no {arguments.fluid}.pvd in {arguments.folder}")
+    times = np.array([time for time, _ in lists[arguments.fluid]])
+    wanted = np.array(arguments.times) * 1e-3 if arguments.times else np.linspace(times[0], times[-1], arguments.count)
+    steps = [int(np.argmin(abs(times - time))) for time in wanted]
+
+    moments = [{name: particle_files.read_snapshot(series[step][1]) for name, series in lists.items()}
+               for step in steps]
+    speeds = [np.linalg.norm(moment[arguments.fluid].arrays["velocity"], axis=1) for moment in moments]
+    fastest = arguments.speed or max(np.percentile(speed, 99.5) for speed in speeds) or 1.0
+    everything = np.vstack([snapshot.points for moment in moments for snapshot in moment.values()])
+    low, high = everything.min(axis=0) * 1e3, everything.max(axis=0) * 1e3
+
+    columns = min(arguments.columns, len(steps))
+    rows = -(-len(steps) // columns)
+    width = 4.6
+    figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", sharex=True, sharey=True,
+                                  figsize=(width * columns, (width * (high[1] - low[1]) / (high[0] - low[0]) + 0.5) * rows))
+    scale = Normalize(0, fastest)
+    for panel, step, moment, speed in zip(panels.flat, steps, moments, speeds):
+        for name, snapshot in moment.items():
+            size = 2e3 * snapshot.constants["spacing"] / np.sqrt(np.pi)
+            colours = (WATER(scale(speed)) if name == arguments.fluid
+                       else WALL if name in arguments.walls else SPONGE(0.7))
+            panel.add_collection(EllipseCollection(size, size, 0, units="xy", offsets=snapshot.points[:, :2] * 1e3,
+                                                   transOffset=panel.transData, facecolors=colours, linewidths=0))
+        panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+        panel.set_title(f"{times[step] * 1e3:.0f} ms", fontsize=10)
+        panel.tick_params(labelsize=8)
+    for panel in list(panels.flat)[len(steps):]:
+        panel.set_visible(False)
+    for panel in panels[-1]:
+        panel.set_xlabel("x [mm]", fontsize=9)
+    bar = figure.colorbar(ScalarMappable(scale, WATER), ax=panels, orientation="horizontal", shrink=0.4, aspect=40)
+    bar.set_label(f"speed of the {arguments.fluid} [m/s]", fontsize=9)
+    bar.outline.set_edgecolor(GREY)
+    if arguments.title:
+        figure.suptitle(arguments.title, x=0.02, ha="left")
+    save(figure, arguments.output, arguments.dpi)
+
+
+if __name__ == "__main__":
+    main()
