@@ -86,17 +86,18 @@ auto given(const Part& part, const A& a, const B& b) {
     return plain(a[mass] * contribution(ab, part(a, b, ab)));
 }
 
-/// The sum over all particles of |m_a f_ab + m_b f_ba| relative to |m_a f_ab|, the worst pair.
+/// |m_a f_ab + m_b f_ba| of the worst pair, in terms of the greatest |m_a f_ab|: a force that is small because its
+/// parts cancel carries their round-off.
 template <class Part, class First, class Second>
 double worst_imbalance(const Part& part, const First& first, const Second& second) {
-    double worst = 0;
+    double worst = 0, greatest = 0;
     for (const auto& a : first)
         for (const auto& b : second) {
             const auto there = given(part, a, b), back = given(part, b, a);
-            if (there.norm() > 0)
-                worst = std::max(worst, (there + back).norm() / there.norm());
+            worst = std::max(worst, (there + back).norm());
+            greatest = std::max(greatest, there.norm());
         }
-    return worst;
+    return worst / greatest;
 }
 
 /// The reads of a part, as text: those on a, a bar, those on b.
