@@ -27,6 +27,8 @@ public:
                 if (s.size() == 0)
                     return;
                 const auto bounds = search::bounds_of(s.points_of(reference_position), this->threads);
+                if (bounds.not_finite >= 0)
+                    throw_not_finite(s, bounds.not_finite);
                 search::Grid<dim> reference_grid;
                 reference_grid.fit(bounds, s.material.support_radius, this->periodic, s.size());
                 search::CellTable table;
