@@ -149,6 +149,11 @@ TEST_CASE("Neighbours of points a kilometre apart take no memory between them", 
     search.update();
     for (int i = 0; i < 4; ++i)
         CHECK(search.count(set, i) == 1);
+    x.setConstant(-1e22); // all in one place, so far away that cells cannot be counted from zero
+    search.move(set, x);
+    search.update();
+    for (int i = 0; i < 4; ++i)
+        CHECK(search.count(set, i) == 3);
 }
 
 TEST_CASE("Bad input to the neighbour search is refused by name", "[search]") {

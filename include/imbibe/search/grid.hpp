@@ -101,21 +101,15 @@ class Grid {
 public:
     /// Covers `bounds` with cells for neighbours within `support`. Memory is bounded for any extent: where the
     /// cells would be more than about eight a particle, they are made larger (slower, never wrong).
-    /// Throws Error if a bound is more than 1e12 supports from the origin, where coordinates have hardly a digit left.
     void fit(const Bounds<dim>& bounds, double support, const Periodic<dim>& periodic, long long particles) {
         periods = periodic;
         const double most = std::min(8.0 * static_cast<double>(particles) + 4096, 4e9); // cells are numbered in 32 bits
         std::array<double, static_cast<std::size_t>(dim)> low{}, extent{}, width{};
         for (std::size_t d = 0; d < dim; ++d) {
             const bool wraps = periodic.length[d] > 0;
-            const double farthest = std::max(std::abs(bounds.lower[d]), std::abs(bounds.upper[d]));
-            require(wraps || bounds.empty() || farthest <= 1e12 * support, "a coordinate of ", farthest,
-                    " m is more than 1e12 support ", "radii of ", support,
-                    " m from the origin: a particle was thrown out, or the scene is in other ", "units than m");
             width[d] = d == 0 ? support / 8 : support;
-            // Cells are counted from a multiple of their width, so that sorted particles stay sorted when others move.
-            low[d] = wraps ? periodic.lower[d] : std::floor(bounds.lower[d] / width[d]) * width[d];
-            extent[d] = wraps ? periodic.length[d] : std::max(bounds.upper[d] - low[d], 0.0);
+            low[d] = wraps ? periodic.lower[d] : begin(bounds.lower[d], width[d]);
+            extent[d] = wraps ? periodic.length[d] : bounds.upper[d] - low[d];
         }
         for (;;) {
             double cells = 1;
@@ -131,6 +125,10 @@ public:
             width[longest] *= 2;
         }
         for (std::size_t d = 0; d < dim; ++d) {
+            if (periodic.length[d] <= 0) { // the width may be another now
+                low[d] = begin(bounds.lower[d], width[d]);
+                extent[d] = bounds.upper[d] - low[d];
+            }
             if (periodic.length[d] > 0) {
                 n_[d] = std::max(1, static_cast<int>(extent[d] / width[d]));
                 width[d] = extent[d] / n_[d];
@@ -176,6 +174,11 @@ public:
     }
 
 private:
+    // Cells are counted from a multiple of their width, so that sorted particles stay sorted when others move. Where a
+    // coordinate has no digits left for that, from the first particle.
+    static double begin(double lower, double width) {
+        return std::abs(lower) < 1e15 * width ? std::floor(lower / width) * width : lower;
+    }
     Periodic<dim> periods;
     std::array<int, static_cast<std::size_t>(dim)> n_{};
     std::array<double, static_cast<std::size_t>(dim)> lower_{}, width_{}, inverse_{};
