@@ -124,7 +124,8 @@ struct Throw {
         scene[water][velocity].col(1).setConstant(-1);
     }
     Eigen::RowVector2d momentum() const {
-        const auto w = scene[water], r = scene[rubber];
+        const auto w = scene[water];
+        const auto r = scene[rubber];
         return w[mass].col(0).transpose() * w[velocity] + r[mass].col(0).transpose() * r[velocity];
     }
     double total_mass() const { return scene[water][mass].sum() + scene[rubber][mass].sum(); }
