@@ -75,9 +75,8 @@ int main(int argc, char** argv) {
                 }
             table.row({s.time(), sum[0] / count, sum[1] / count});
         };
-        const sph::PhaseHandle<Water> drops = pool;
         scene.run_until(end, sph::Progress(end, false), sph::every(2e-3, tip), sph::every(0.02, std::ref(snapshots)),
-                        [&](Scene& s) { s.remove_if(drops, [&](const auto& x) { return x[0] > length - 2 * dx; }); });
+                        [&](Scene& s) { s.remove_if(pool, [&](const auto& x) { return x[0] > length - 2 * dx; }); });
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "elastic_gate: %s\n", error.what());
         return 2;

@@ -67,12 +67,12 @@ def main():
 
     figure, panel = plt.subplots(figsize=(8, 5.2))
     markers = "osD^vP*X"
+    base = next(iter(groups))
     for k, (choice, group) in enumerate(groups.items()):
         group.sort(key=lambda row: row[arguments.time])
         time = [row[arguments.time] for row in group]
         error = np.array([row["error"] for row in group])
         spread = [error - [row["least error"] for row in group], [row["greatest error"] for row in group] - error]
-        base = list(groups)[0]
         words = [word if not is_number(word) else f"{axis} {word}" for axis, word in zip(varied, choice)]
         label = ", ".join(word for word, own, first in zip(words, choice, base) if k == 0 or own != first)
         panel.errorbar(time, error, yerr=np.maximum(spread, 0), color=CURVES[k % len(CURVES)],

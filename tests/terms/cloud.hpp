@@ -100,6 +100,28 @@ double worst_imbalance(const Part& part, const First& first, const Second& secon
     return worst / greatest;
 }
 
+/// How far a force is from minus the slope of `energy(body)`, which is given a body with one particle moved: the worst
+/// of three particles, as a share of the force.
+template <class Push, int dim, class Material, class Energy>
+double worst_departure_from_slope(const Push& push, const Cloud<dim, Material>& body, const Energy& energy) {
+    constexpr double small = 1e-8;
+    double worst = 0;
+    for (const std::size_t k : {std::size_t{0}, body.size() / 2, body.size() - 1})
+        for (int d = 0; d < dim; ++d) {
+            const auto energy_at = [&](double step) {
+                auto moved = body;
+                Column<dim> x = plain(body[k][position]);
+                x[d] += step;
+                moved[k].set(position, vec<dim>(x));
+                return energy(std::move(moved));
+            };
+            const double by_hand = -(energy_at(small) - energy_at(-small)) / (2 * small);
+            const auto force = plain(body[k][mass] * sum(push, body[k], body));
+            worst = std::max(worst, std::abs(force[d] - by_hand) / force.norm());
+        }
+    return worst;
+}
+
 /// The reads of a part, as text: those on a, a bar, those on b.
 template <class Part, int dim, class A, class B, class... F>
 std::string sides_of(TypeList<F...>) {

@@ -134,15 +134,8 @@ public:
     template <class Case>
     std::vector<Row> run(const Case& what) const {
         std::vector<Choices> all{Choices{}};
-        for (const auto& [name, values] : axes_) {
-            std::vector<Choices> longer;
-            for (const Choices& one : all)
-                for (const std::string& value : values) {
-                    longer.push_back(one);
-                    longer.back().set(name, value);
-                }
-            all = std::move(longer);
-        }
+        for (const auto& [name, values] : axes_)
+            all = with_each(all, name, values);
         return run_all(all, what);
     }
     /// The first choice of every axis, and all that differ from it on one axis. `along`: on these axes all choices are
@@ -162,15 +155,8 @@ public:
                 all.back().set(name, values[k]);
             }
         for (const auto& [name, values] : axes_)
-            if (is_along(name)) {
-                std::vector<Choices> longer;
-                for (const Choices& one : all)
-                    for (const std::string& value : values) {
-                        longer.push_back(one);
-                        longer.back().set(name, value);
-                    }
-                all = std::move(longer);
-            }
+            if (is_along(name))
+                all = with_each(all, name, values);
         return run_all(all, what);
     }
 
@@ -179,6 +165,17 @@ private:
     int repetitions_ = 1;
     std::function<void(const Choices&, std::size_t, std::size_t)> tell_;
 
+    // Each of `all` with each value of an axis.
+    static std::vector<Choices> with_each(const std::vector<Choices>& all, const std::string& axis,
+                                          const std::vector<std::string>& values) {
+        std::vector<Choices> longer;
+        for (const Choices& one : all)
+            for (const std::string& value : values) {
+                longer.push_back(one);
+                longer.back().set(axis, value);
+            }
+        return longer;
+    }
     template <class Case>
     std::vector<Row> run_all(const std::vector<Choices>& all, const Case& what) const {
         std::vector<Row> rows;

@@ -21,6 +21,12 @@ inline int available_threads() {
 #endif
 }
 
+/// The threads for a loop that does next to nothing per particle: below some thousand particles, waking the others
+/// takes longer than the loop.
+inline int threads_for(int particles, int threads) {
+    return particles < 4096 ? 1 : threads;
+}
+
 /// Calls f(k) for k = 0 ... n-1, on up to `threads` threads in any order. f must not write what another call reads.
 /// The first exception thrown by a call is thrown again when all are done. In f denormal numbers are zero.
 template <class F>

@@ -107,7 +107,8 @@ private:
         long long particles;
     };
     std::optional<Balance> start_; ///< at the first look
-    double kinetic_most_ = 0, rebased_ = 0;
+    double kinetic_most_ = 0;
+    double excess_ = 0; ///< energy that has come from nowhere (below 0: that was lost) since the first look, J
 
     template <class Scene>
     void glance(const Scene& scene) const {
@@ -192,21 +193,22 @@ private:
             }
         });
         now.energy = now.kinetic + now.potential;
+        if (!start_ || driven)
+            excess_ = 0;
         if (!start_ || driven || now.particles != start_->particles) { // what leaves takes its energy along
-            rebased_ = start_ && !driven ? excess_ : 0;                // of what was lost or won before
             start_ = now;
+            start_->energy -= excess_;
             kinetic_most_ = now.kinetic;
             return;
         }
         kinetic_most_ = std::max(kinetic_most_, now.kinetic);
-        excess_ = now.energy - start_->energy + rebased_;
+        excess_ = now.energy - start_->energy;
         const double turned_over = std::max(kinetic_most_, std::abs(now.potential - start_->potential));
         if (excess_ > settings_.energy * turned_over)
             throw Diverged(text("energy has grown by ", excess_, " J without work, in a scene that has turned over ",
                                 turned_over, " J; ", moment(scene), reason(scene)),
                            Cause::energy, "", {}, scene.time(), scene.steps());
     }
-    double excess_ = 0;
 
     template <class Scene, class View>
     [[noreturn]] void stop(const Scene& scene, Cause cause, const std::string& name, const View& phase, int i,

@@ -125,15 +125,12 @@ public:
             width[longest] *= 2;
         }
         for (std::size_t d = 0; d < dim; ++d) {
-            if (periodic.length[d] <= 0) { // the width may be another now
-                low[d] = begin(bounds.lower[d], width[d]);
-                extent[d] = bounds.upper[d] - low[d];
-            }
             if (periodic.length[d] > 0) {
                 n_[d] = std::max(1, static_cast<int>(extent[d] / width[d]));
                 width[d] = extent[d] / n_[d];
-            } else {
-                n_[d] = static_cast<int>(std::floor(extent[d] / width[d])) + 1;
+            } else { // the width may be another now
+                low[d] = begin(bounds.lower[d], width[d]);
+                n_[d] = static_cast<int>(std::floor((bounds.upper[d] - low[d]) / width[d])) + 1;
             }
             lower_[d] = low[d];
             width_[d] = width[d];

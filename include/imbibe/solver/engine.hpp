@@ -47,7 +47,7 @@ private:
         const auto clear = [&]<class G>(std::type_identity<G>) {
             constexpr bool starts_from_gravity = What::gravity && std::is_same_v<G, Rate<Velocity>>;
             if constexpr (What::added.test(Scene::template column<P, G>) || starts_from_gravity)
-                parallel_for(components(G::rank, dim), this->threads, [&](int k) {
+                parallel_for(components(G::rank, dim), threads_for(s.size(), this->threads), [&](int k) {
                     const Real start = starts_from_gravity ? static_cast<Real>(this->gravity[k % dim]) : Real(0);
                     std::fill_n(s.column(component_offset<dim, G, List> + k), s.size(), start);
                 });

@@ -39,11 +39,16 @@ public:
     }
 
     /// Keeps a copy of all that is integrated: positions, velocities, states. For integrators with several stages.
-    void remember() {
+    void remember() { remember_if<Every>(); }
+    /// The same for the phases with Chosen<P>::value.
+    template <template <class> class Chosen>
+    void remember_if() {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            auto& copy = std::get<Kept<P>>(kept).values;
-            copy.resize(s.stride() * static_cast<std::size_t>(component_count<dim, KeptFields<P>>));
-            copy_kept(s, copy, KeptFields<P>{});
+            if constexpr (Chosen<P>::value) {
+                auto& copy = std::get<Kept<P>>(kept).values;
+                copy.resize(s.stride() * static_cast<std::size_t>(component_count<dim, KeptFields<P>>));
+                copy_kept(s, copy, KeptFields<P>{});
+            }
         });
     }
     /// What was remembered, advanced by dt with the present rates (of positions: the present velocities).

@@ -110,7 +110,7 @@ public:
     /// Puts the particles into a new order: particle order[k] moves to k. All components are carried along.
     void reorder(const std::vector<std::uint32_t>& order, int threads) {
         spare.resize(values.size());
-        parallel_for(component_total, threads, [&](int k) {
+        parallel_for(component_total, threads_for(n, threads), [&](int k) {
             const Real* from = column(k);
             Real* to = spare.data() + static_cast<std::size_t>(k) * step;
             for (std::size_t i = 0; i < order.size(); ++i)
@@ -143,7 +143,7 @@ public:
     /// Copies components [first, first + count) into the copy, in the order of the cell table.
     void copy_to_image(int first, int count, int threads) {
         image.resize(values.size());
-        parallel_for(count, threads, [&](int c) {
+        parallel_for(count, threads_for(n, threads), [&](int c) {
             const Real* from = column(first + c);
             Real* to = image.data() + static_cast<std::size_t>(first + c) * step;
             for (std::size_t i = 0; i < image_order.size(); ++i)

@@ -8,10 +8,10 @@ namespace imbibe {
 ///
 /// Of second order in dt for all forces, and two evaluations a step; each has rates and forces in one and the same
 /// moment, so that a fluid needs one sweep an evaluation where SymplecticEuler needs two. Undamped waves grow, by
-/// (c k dt)^4/8 a step: give the scene a viscosity or density diffusion, and about half of SymplecticEuler's step.
+/// (c k dt)^4/8 a step: give the scene a viscosity or density diffusion, and a shorter step than SymplecticEuler's.
 /// Neighbours are found once a step: pairs that come within reach during its first half are missed for the second,
 /// at the rim, where compact kernels are near zero.
-/// Source: Runge (1895); for SPH, Oger, Doring, Alessandrini and Ferrant (2007) use higher members of the family.
+/// Source: Runge (1895).
 struct MidpointRungeKutta {
     template <class Engine>
     static void step(Engine& engine, double dt) {

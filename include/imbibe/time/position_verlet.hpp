@@ -8,8 +8,7 @@ namespace imbibe {
 ///
 /// As stable and as cheap as SymplecticEuler and of second order in dt for forces that depend on positions alone.
 /// Neighbours are those of the middle of the step. A state stands where the forces were evaluated, not at the end.
-/// Source: Tuckerman, Berne and Martyna (1992); for weakly compressible fluids Adami, Hu and Adams (2013), Eqs. 15-17
-/// in another order; one evaluation of all terms a step.
+/// Source: Tuckerman, Berne and Martyna (1992); one evaluation of all terms a step.
 struct PositionVerlet {
     template <class Engine>
     static void step(Engine& engine, double dt) {

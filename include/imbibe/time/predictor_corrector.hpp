@@ -8,8 +8,8 @@ namespace imbibe {
 ///
 /// The cheapest step there is: one evaluation, and rates and forces of one moment in one sweep where the terms allow
 /// it. Of second order in dt. Undamped waves grow slowly and large steps are not forgiven: give the scene a viscosity
-/// or density diffusion, and about half of SymplecticEuler's step.
-/// Source: Monaghan (1994), "Simulating free surface flows with SPH", whose corrector is the same with rates of y'.
+/// or density diffusion, and a shorter step than SymplecticEuler's.
+/// Source: Monaghan (1994), "Simulating free surface flows with SPH".
 struct PredictorCorrector {
     template <class Engine>
     static void start(Engine& engine) {

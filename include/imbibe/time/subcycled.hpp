@@ -43,8 +43,8 @@ struct Subcycled {
         static_assert(Engine::template State<Fast>::template stores<MeanVelocity>,
                       "imbibe: list the term TimeAveragedMotion in the phase that Subcycled names");
         engine.template run<typename Engine::Composition::template OwnTerms<Fast>>(0);
-        const auto& fast = engine.template state<Fast>();
-        copy(engine, fast.field(velocity), engine.template state<Fast>().field(mean_velocity));
+        auto& fast = engine.template state<Fast>();
+        copy(engine, fast.field(velocity), fast.field(mean_velocity));
     }
     /// @param substeps how many steps `Fast` takes
     template <class Engine>
@@ -59,7 +59,7 @@ struct Subcycled {
         engine.template kick_if<IsOther>(dt);
         engine.template drift_if<IsOther>(dt);
 
-        engine.remember();
+        engine.template remember_if<IsFast>();
         auto& force = engine.template spare_vector<Fast>(); // of the couplings and gravity
         copy(engine, fast.field(acceleration), force.data());
         for (int k = 0; k < substeps; ++k) {
