@@ -1,7 +1,10 @@
 // The numbers of a scene that belong to no phase: gravity, time step, periodic sides, threads.
 #pragma once
 
+#include <imbibe/core/error.hpp>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace imbibe {
@@ -34,6 +37,28 @@ struct Settings {
     int search_interval = 1;
     /// Threads; 0: all of the machine.
     int threads = 0;
+
+    /// Throws Error for a number that is not finite or out of range.
+    void check() const {
+        for (double g : gravity)
+            require(std::isfinite(g), "gravity has a component ", g, " m/s^2; all must be finite");
+        require(std::isfinite(support_radius) && support_radius > 0, "support_radius = ", support_radius,
+                " m; it must be above 0 m, usually 2 to 3 particle spacings");
+        require(cfl > 0 && cfl <= 2, "cfl = ", cfl, "; it must be above 0 and not above 2, usually 0.4");
+        require(std::isfinite(time_step) && time_step >= 0, "time_step = ", time_step,
+                " s; it must not be negative (0 means adaptive)");
+        require(max_time_step > 0, "max_time_step = ", max_time_step, " s; it must be above 0 s");
+        require(search_interval >= 1, "search_interval = ", search_interval,
+                "; it must be at least 1 (a search in every step)");
+        for (double lower : periodic_lower)
+            require(std::isfinite(lower), "a periodic_lower of ", lower, " m; it must be a finite number");
+        for (double coordinate : origin)
+            require(std::isfinite(coordinate), "an origin with a coordinate of ", coordinate,
+                    " m; all must be finite numbers");
+        for (double length : periodic_length)
+            require(std::isfinite(length) && (length == 0 || length >= support_radius), "a periodic length of ", length,
+                    " m; it must be 0 (not periodic) or at least the support radius, ", support_radius, " m");
+    }
 };
 
 } // namespace imbibe

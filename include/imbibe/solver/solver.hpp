@@ -3,19 +3,15 @@
 
 #include <imbibe/geometry/distinct.hpp>
 #include <imbibe/solver/engine.hpp>
+#include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/settings.hpp>
+#include <imbibe/solver/time_step_limits.hpp>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
 namespace imbibe {
-
-/// A limit on the time step: how long, why, and in which phase or coupling.
-struct TimeStepLimit {
-    double seconds;
-    std::string reason, where;
-};
 
 /// Names a phase of a scene: what `add` returns and `scene[...]` takes.
 template <class P>
@@ -47,25 +43,7 @@ public:
 
     /// @throws Error for a setting that is not finite or out of range
     explicit Solver(const Settings<dim>& with) : settings_(with) {
-        for (double g : with.gravity)
-            require(std::isfinite(g), "gravity has a component ", g, " m/s^2; all must be finite");
-        require(std::isfinite(with.support_radius) && with.support_radius > 0, "support_radius = ", with.support_radius,
-                " m; it must be above 0 m, usually 2 to 3 particle spacings");
-        require(with.cfl > 0 && with.cfl <= 2, "cfl = ", with.cfl, "; it must be above 0 and not above 2, usually 0.4");
-        require(std::isfinite(with.time_step) && with.time_step >= 0, "time_step = ", with.time_step,
-                " s; it must not be negative (0 means adaptive)");
-        require(with.max_time_step > 0, "max_time_step = ", with.max_time_step, " s; it must be above 0 s");
-        require(with.search_interval >= 1, "search_interval = ", with.search_interval,
-                "; it must be at least 1 (a search in every step)");
-        for (double lower : with.periodic_lower)
-            require(std::isfinite(lower), "a periodic_lower of ", lower, " m; it must be a finite number");
-        for (double coordinate : with.origin)
-            require(std::isfinite(coordinate), "an origin with a coordinate of ", coordinate,
-                    " m; all must be finite numbers");
-        for (double length : with.periodic_length)
-            require(std::isfinite(length) && (length == 0 || length >= with.support_radius), "a periodic length of ",
-                    length, " m; it must be 0 (not periodic) or at least the support radius, ", with.support_radius,
-                    " m");
+        with.check();
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
         engine_.search_interval = with.search_interval;
@@ -233,19 +211,18 @@ public:
 
     /// All limits on the next step, without the CFL number, shortest first.
     std::vector<TimeStepLimit> time_step_limits() const {
-        std::vector<TimeStepLimit> limits;
-        phase_limits(limits, Phases{});
-        coupling_limits(limits, Couplings{});
-        return sorted(limits);
+        detail::TimeStepLimits<Engine> limits(engine_);
+        add_phases(limits, Phases{});
+        add_couplings(limits, Couplings{});
+        return std::move(limits).sorted();
     }
     /// Does one phase take shorter steps than the others (time/subcycled.hpp)?
     static constexpr bool subcycles = requires { typename Integrator::Fast; };
     /// The limits on the steps of the phase that is sub-cycled, without the CFL number, shortest first.
     std::vector<TimeStepLimit> substep_limits() const requires subcycles {
-        std::vector<TimeStepLimit> limits;
-        using Fast = typename Integrator::Fast;
-        limits_of_phase<Fast>(limits, typename Fast::terms{});
-        return sorted(limits);
+        detail::TimeStepLimits<Engine> limits(engine_);
+        limits.template add_phase<typename Integrator::Fast>();
+        return std::move(limits).sorted();
     }
     /// How many steps the sub-cycled phase took within the last one.
     int substeps() const requires subcycles { return substeps_; }
@@ -376,11 +353,6 @@ private:
         time_ += chosen.seconds;
         ++steps_;
     }
-    static std::vector<TimeStepLimit> sorted(std::vector<TimeStepLimit> limits) {
-        std::sort(limits.begin(), limits.end(),
-                  [](const TimeStepLimit& a, const TimeStepLimit& b) { return a.seconds < b.seconds; });
-        return limits;
-    }
     TimeStepLimit shortest(const std::vector<TimeStepLimit>& limits) const {
         return limits.empty() ? TimeStepLimit{settings_.max_time_step, "max_time_step", "settings"} : limits.front();
     }
@@ -434,25 +406,11 @@ private:
     template <class P>
     static void check_phase(const State<P>& s) {
         if (s.size() > 0)
-            check_terms<P>(s.material, typename P::terms{});
+            detail::check_terms<P>(s.material, typename P::terms{});
     }
     template <class... C>
     void check_couplings(TypeList<C...>) const {
-        (check_terms<C>(coupling<C>(), typename C::terms{}), ...);
-    }
-    template <class Where, class Owner, class... Term>
-    static void check_terms(const Owner& owner, TypeList<Term...>) {
-        (check_term<typename detail::Unwrapped<Term>::type>(owner, detail::type_name<Where>()), ...);
-    }
-    template <class Term, class Owner>
-    static void check_term(const Owner& owner, const std::string& name) {
-        if constexpr (requires { typename Term::Parameters; }) {
-            const auto& parameters = owner.coefficients.template get<typename Term::Parameters>();
-            if constexpr (requires { parameters.check(name); })
-                parameters.check(name);
-        }
-        if constexpr (requires { Term::check(owner, name); })
-            Term::check(owner, name);
+        (detail::check_terms<C>(coupling<C>(), typename C::terms{}), ...);
     }
 
     // A particle's place as it is stored, and in the coordinates of the world.
@@ -470,17 +428,7 @@ private:
 
     template <class P>
     void note_warnings(const P& material, const std::string& name) {
-        const double ratio = material.support_radius / material.spacing;
-        if (ratio < 1.3) {
-            int neighbours = 0; // of a lattice
-            const int reach = static_cast<int>(ratio) + 1;
-            for (int x = -reach; x <= reach; ++x)
-                for (int y = -reach; y <= reach; ++y)
-                    for (int z = dim == 3 ? -reach : 0; z <= (dim == 3 ? reach : 0); ++z)
-                        neighbours += x * x + y * y + z * z < ratio * ratio * (1 - 1e-9);
-            note(text(name, ": the support radius is ", ratio, " spacings, so a particle has only ", neighbours - 1,
-                      " neighbours and gradients come out too small; 2 to 3 spacings are usual"));
-        }
+        note(detail::warning_of_few_neighbours<dim>(material.support_radius / material.spacing, name));
         if constexpr (requires { material.warning(name); })
             note(material.warning(name));
     }
@@ -489,12 +437,12 @@ private:
             warnings_.push_back(sentence);
     }
 
-    // ---- limits on the time step ----
+    // The limits of all phases but the one that is sub-cycled, and of all couplings.
     template <class... P>
-    void phase_limits(std::vector<TimeStepLimit>& limits, TypeList<P...>) const {
-        const auto unless_subcycled = [&]<class Q>(std::type_identity<Q>) {
+    static void add_phases(detail::TimeStepLimits<Engine>& limits, TypeList<P...>) {
+        [[maybe_unused]] const auto unless_subcycled = [&]<class Q>(std::type_identity<Q>) {
             if constexpr (!is_subcycled<Q>())
-                limits_of_phase<Q>(limits, typename Q::terms{});
+                limits.template add_phase<Q>();
         };
         (unless_subcycled(std::type_identity<P>{}), ...);
     }
@@ -505,60 +453,9 @@ private:
         else
             return false;
     }
-    template <class P>
-    TimeStepInput input_of() const {
-        const auto& material = engine_.template state<P>().material;
-        const auto& motion = engine_.template motion<P>();
-        return {.support_radius = material.support_radius,
-                .spacing = material.spacing,
-                .max_speed = motion.speed,
-                .max_acceleration = motion.acceleration,
-                .dimension = dim};
-    }
-    template <class P, class... Term>
-    void limits_of_phase(std::vector<TimeStepLimit>& limits, TypeList<Term...>) const {
-        if (engine_.template state<P>().size() == 0)
-            return;
-        const TimeStepInput in = input_of<P>();
-        const auto& material = engine_.template state<P>().material;
-        (limit_of_term<Term, P>(limits, material, in, material), ...);
-        if (P::moves && in.max_acceleration > 0)
-            limits.push_back({std::sqrt(in.spacing / in.max_acceleration), "acceleration", detail::type_name<P>()});
-    }
-    template <class Term, class Where, class Owner, class... Arguments>
-    void limit_of_term(std::vector<TimeStepLimit>& limits, const Owner& owner, const TimeStepInput& in,
-                       const Arguments&... materials) const {
-        double seconds = -1;
-        if constexpr (requires { Term::time_step_limit(materials..., in); })
-            seconds = Term::time_step_limit(materials..., in);
-        else if constexpr (requires { typename Term::Parameters; })
-            if constexpr (requires {
-                              Term::time_step_limit(materials..., in,
-                                                    owner.coefficients.template get<typename Term::Parameters>());
-                          })
-                seconds = Term::time_step_limit(materials..., in,
-                                                owner.coefficients.template get<typename Term::Parameters>());
-        if constexpr (requires { Term::limit_name; })
-            if (seconds > 0)
-                limits.push_back({seconds, Term::limit_name, detail::type_name<Where>()});
-    }
     template <class... C>
-    void coupling_limits(std::vector<TimeStepLimit>& limits, TypeList<C...>) const {
-        (limits_of_coupling<C>(limits, typename C::terms{}), ...);
-    }
-    template <class C, class... Term>
-    void limits_of_coupling(std::vector<TimeStepLimit>& limits, TypeList<Term...>) const {
-        const auto& a = engine_.template state<typename C::First>();
-        const auto& b = engine_.template state<typename C::Second>();
-        if (a.size() == 0 || b.size() == 0 || engine_.template are_apart<typename C::First, typename C::Second>())
-            return;
-        TimeStepInput in = input_of<typename C::First>();
-        const TimeStepInput other = input_of<typename C::Second>();
-        in.support_radius = std::max(in.support_radius, other.support_radius);
-        in.other_spacing = other.spacing;
-        in.other_max_speed = other.max_speed;
-        (limit_of_term<typename detail::Unwrapped<Term>::type, C>(limits, coupling<C>(), in, a.material, b.material),
-         ...);
+    static void add_couplings([[maybe_unused]] detail::TimeStepLimits<Engine>& limits, TypeList<C...>) {
+        (limits.template add_coupling<C>(), ...);
     }
 };
 

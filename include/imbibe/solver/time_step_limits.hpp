@@ -1,0 +1,103 @@
+// The limits on a time step: every active term and coupling offers its own, and they are listed with their reasons.
+#pragma once
+
+#include <imbibe/core/phase.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace imbibe {
+
+/// A limit on the time step: how long, why, and in which phase or coupling.
+struct TimeStepLimit {
+    double seconds;
+    std::string reason, where;
+};
+
+namespace detail {
+
+/// Collects the limits that the terms of phases and couplings offer by `time_step_limit`, for the present speeds.
+template <class Engine>
+class TimeStepLimits {
+public:
+    explicit TimeStepLimits(const Engine& engine) : engine_(engine) {}
+
+    /// Those of a phase: its terms, and its greatest acceleration.
+    template <class P>
+    void add_phase() {
+        add_terms_of_phase<P>(typename P::terms{});
+    }
+    /// Those of a coupling, unless its phases are out of each other's reach.
+    template <class C>
+    void add_coupling() {
+        add_terms_of_coupling<C>(typename C::terms{});
+    }
+    /// All that were added, without the CFL number, shortest first.
+    std::vector<TimeStepLimit> sorted() && {
+        std::sort(limits_.begin(), limits_.end(),
+                  [](const TimeStepLimit& a, const TimeStepLimit& b) { return a.seconds < b.seconds; });
+        return std::move(limits_);
+    }
+
+private:
+    const Engine& engine_;
+    std::vector<TimeStepLimit> limits_;
+
+    template <class P>
+    const auto& material() const {
+        return engine_.template state<P>().material;
+    }
+    template <class P>
+    TimeStepInput input_of() const {
+        const auto& motion = engine_.template motion<P>();
+        return {.support_radius = material<P>().support_radius,
+                .spacing = material<P>().spacing,
+                .max_speed = motion.speed,
+                .max_acceleration = motion.acceleration,
+                .dimension = Engine::dimension};
+    }
+    template <class P, class... Term>
+    void add_terms_of_phase(TypeList<Term...>) {
+        if (engine_.template state<P>().size() == 0)
+            return;
+        const TimeStepInput in = input_of<P>();
+        (add_term<Term, P>(material<P>(), in, material<P>()), ...);
+        if (P::moves && in.max_acceleration > 0)
+            limits_.push_back({std::sqrt(in.spacing / in.max_acceleration), "acceleration", type_name<P>()});
+    }
+    template <class C, class... Term>
+    void add_terms_of_coupling(TypeList<Term...>) {
+        using A = typename C::First;
+        using B = typename C::Second;
+        if (engine_.template state<A>().size() == 0 || engine_.template state<B>().size() == 0 ||
+            engine_.template are_apart<A, B>())
+            return;
+        TimeStepInput in = input_of<A>();
+        const TimeStepInput other = input_of<B>();
+        in.support_radius = std::max(in.support_radius, other.support_radius);
+        in.other_spacing = other.spacing;
+        in.other_max_speed = other.max_speed;
+        (add_term<typename Unwrapped<Term>::type, C>(engine_.template coupling<C>(), in, material<A>(), material<B>()),
+         ...);
+    }
+    // A term may need no coefficients for its limit, or have no limit.
+    template <class Term, class Where, class Owner, class... Materials>
+    void add_term(const Owner& owner, const TimeStepInput& in, const Materials&... materials) {
+        double seconds = -1;
+        if constexpr (requires { Term::time_step_limit(materials..., in); }) {
+            seconds = Term::time_step_limit(materials..., in);
+        } else if constexpr (requires { typename Term::Parameters; }) {
+            const auto& parameters = owner.coefficients.template get<typename Term::Parameters>();
+            if constexpr (requires { Term::time_step_limit(materials..., in, parameters); })
+                seconds = Term::time_step_limit(materials..., in, parameters);
+        }
+        if constexpr (requires { Term::limit_name; })
+            if (seconds > 0)
+                limits_.push_back({seconds, Term::limit_name, type_name<Where>()});
+    }
+};
+
+} // namespace detail
+} // namespace imbibe
