@@ -5,8 +5,9 @@
 //   build/sponge_study pores --composition paper      the same with the method of the paper, mended
 //   build/sponge_study pores --strip --pool 14 --water-spacing 0.7 --end 0.25   one row of pores: minutes, not hours
 //
-// Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted
-// goes on from its last checkpoint, and the two studies share the case they have in common.
+// Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted,
+// or that is wanted to a later --end, goes on from its last checkpoint, and the two studies share the case they have in
+// common.
 #include "support/pictures.hpp"
 #include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
@@ -26,7 +27,7 @@ struct Case {
 
 /// The sound composition counts its supports in spacings; h = 1.3 mm of the paper is its 2.6.
 double ratio_of(double support) {
-    return 2 * support / 1e-3;
+    return std::round(20 * support / 1e-3) / 10;
 }
 
 std::vector<Case> cases_of(const std::string& study, const std::string& composition, sph::presets::SpongeCase numbers) {
@@ -49,13 +50,13 @@ std::vector<Case> cases_of(const std::string& study, const std::string& composit
     return cases;
 }
 
-/// What makes one run another than the next; written beside its tables when it begins, and again when it is through.
-std::string signature(const Case& c, const std::string& precision, double end) {
+/// What makes one run another than the next; written beside its tables when it begins, and again, with the time it has
+/// reached, when it is through.
+std::string signature(const Case& c, const std::string& precision) {
     const auto& n = c.numbers;
-    return sph::text(c.name, " ", precision, " end ", end, " spacings ", n.water_spacing, " ", n.solid_spacing,
-                     " pool ", n.pool, " freeboard ", n.freeboard, " strip ", n.strip, " G ", n.shear_modulus, " E ",
-                     n.young_modulus, " K_f ", n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step,
-                     " cfl ", n.cfl);
+    return sph::text(c.name, " ", precision, " spacings ", n.water_spacing, " ", n.solid_spacing, " pool ", n.pool,
+                     " freeboard ", n.freeboard, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus,
+                     " K_f ", n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
 }
 
 bool says(const std::filesystem::path& path, const std::string& what) {
@@ -92,10 +93,10 @@ int main(int argc, char** argv) {
             sph::example::SpongeOutput output;
             output.folder = root / c.name;
             output.snapshot_interval = snapshots * 1e-3;
-            const std::string what = signature(c, precision, end);
+            const std::string what = signature(c, precision), through = sph::text(what, " to ", end, " s");
             tables.push_back((output.folder / "sponge.csv").string());
             labels.push_back(c.label);
-            if (says(output.folder / "finished.txt", what)) {
+            if (says(output.folder / "finished.txt", through)) {
                 std::printf("%s: finished before\n", c.name.c_str());
                 continue;
             }
@@ -109,7 +110,7 @@ int main(int argc, char** argv) {
             const auto result = sph::example::run_sponge(composition, precision, c.numbers, end, output);
             sph::example::print_summary(c.numbers, result, output);
             if (result.failure.empty())
-                std::ofstream(output.folder / "finished.txt") << what << '\n';
+                std::ofstream(output.folder / "finished.txt") << through << '\n';
             else
                 ++failures;
             if (result.stopped)

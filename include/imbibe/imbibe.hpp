@@ -28,6 +28,7 @@
 #include <imbibe/output/recover.hpp>
 #include <imbibe/output/snapshots.hpp>
 #include <imbibe/output/table.hpp>
+#include <imbibe/search/neighbour_search.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/hughes_winget.hpp>
