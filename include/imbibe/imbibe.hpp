@@ -47,6 +47,7 @@
 #include <imbibe/time/midpoint_runge_kutta.hpp>
 #include <imbibe/time/position_verlet.hpp>
 #include <imbibe/time/predictor_corrector.hpp>
+#include <imbibe/time/staggered_leapfrog.hpp>
 #include <imbibe/time/subcycled.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/version.hpp>

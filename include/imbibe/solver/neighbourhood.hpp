@@ -55,12 +55,16 @@ public:
         if (search_is_due(0))
             search_neighbours();
         else
-            for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-                if constexpr (State<P>::keeps_reference)
-                    if (s.size() > 0 && takes_part<P>())
-                        copy_places_to_image(s);
-                s.pad();
-            });
+            refresh_places();
+    }
+    /// After particles have moved, if neighbours stay as they are: what others see of them.
+    void refresh_places() {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            if constexpr (State<P>::keeps_reference)
+                if (s.size() > 0 && takes_part<P>())
+                    copy_places_to_image(s);
+            s.pad();
+        });
     }
     /// Will `find_neighbours` search, if it is called `ahead` calls from now and nothing travels far until then?
     bool search_is_due(int ahead = 1) const {

@@ -63,6 +63,22 @@ struct Row {
     bool advances = false; ///< moves a state by its rate; `sets` is the state, `reads` the rate
 };
 
+/// The chosen rows and all that write what they read, and so on; but none that advances a state, which is read as it
+/// is.
+template <std::size_t n>
+constexpr Bits with_what_they_read(const std::array<Row, n>& rows, Bits chosen) {
+    for (Bits before, read; before != chosen;) {
+        before = chosen;
+        for (std::size_t k = 0; k < n; ++k)
+            if (chosen.test(static_cast<int>(k)))
+                read = read | rows[k].reads;
+        for (std::size_t k = 0; k < n; ++k)
+            if (!rows[k].advances && ((rows[k].adds | rows[k].sets) & read).any())
+                chosen.set(static_cast<int>(k));
+    }
+    return chosen;
+}
+
 /// One loop: over the particles of a phase, or over their neighbours.
 struct Step {
     bool sweep = false;

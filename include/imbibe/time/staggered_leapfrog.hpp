@@ -1,0 +1,38 @@
+// Leapfrog with velocities half a step from positions and states: every rate is taken in the middle of what it moves.
+#pragma once
+
+namespace imbibe {
+
+/// With states s (densities, stresses) and their rates D:
+///   x += dt/2 v,  s += dt D(x, v),  x += dt/2 v,  v += dt a(x, s).
+///
+/// Velocities belong to half steps, positions and states to whole ones, and D is taken where the particles are halfway.
+/// As cheap as SymplecticEuler wherever rates and forces are separate sweeps anyway, and as stable for sound.
+///
+/// For everything whose density follows a continuity equation. Two particles that meet and part again have the density
+/// they had before, to O(dt^2). With D at one end of the way (SymplecticEuler, Leapfrog, PositionVerlet) they keep an
+/// excess of the order of dt, in every encounter, and the pressure it makes turns into speed: with the paper's kernel
+/// and step a pair of water particles leaves 3 % faster than it came, and the block of water falls apart at 70 ms.
+///
+/// Velocities that are set at the start are taken for those of half a step before, an error of the order of dt. What
+/// depends on velocity in a (viscosity) sees that of half a step before.
+///
+/// Not in place of Subcycled where a stiff solid sets the step. A phase without rates of states (total Lagrangian)
+/// moves as with SymplecticEuler.
+///
+/// Source: the leapfrog of Hockney (1970) and of finite-difference codes on staggered grids; for its reversibility in
+/// SPH see Zhang, Rezavand and Hu (2020), whose position Verlet halves the density's step as well.
+struct StaggeredLeapfrog {
+    template <class Engine>
+    static void step(Engine& engine, double dt) {
+        engine.drift(dt / 2);
+        engine.find_neighbours();
+        engine.template run<typename Engine::Composition::States>(dt);
+        engine.drift(dt / 2);
+        engine.refresh_places();
+        engine.template run<typename Engine::Composition::Forces>(dt);
+        engine.kick(dt);
+    }
+};
+
+} // namespace imbibe
