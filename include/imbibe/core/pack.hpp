@@ -5,18 +5,15 @@
 // vector extension of g++ and clang; without it (or in device code) only width 1 is used.
 #pragma once
 
+#include <imbibe/core/build_options.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
 
-#if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__)
-#define IMBIBE_VECTOR_EXTENSION 1
-#if defined(__SSE2__)
+#if IMBIBE_VECTOR_EXTENSION && defined(__SSE2__)
 #include <immintrin.h>
-#endif
-#else
-#define IMBIBE_VECTOR_EXTENSION 0
 #endif
 
 #if defined(__GNUC__) || defined(__clang__)
@@ -28,19 +25,10 @@
 namespace imbibe {
 
 /// How many numbers of type Real this translation unit's instruction set computes at once.
-#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
 template <class Real>
-inline constexpr int native_width = 64 / sizeof(Real);
-#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
-template <class Real>
-inline constexpr int native_width = 32 / sizeof(Real);
-#elif IMBIBE_VECTOR_EXTENSION && (defined(__SSE2__) || defined(__ARM_NEON))
-template <class Real>
-inline constexpr int native_width = 16 / sizeof(Real);
-#else
-template <class Real>
-inline constexpr int native_width = 1;
-#endif
+IMBIBE_PER_BUILD inline constexpr int native_width = IMBIBE_PACK_BYTES == 1
+                                                         ? 1
+                                                         : static_cast<int>(IMBIBE_PACK_BYTES / sizeof(Real));
 
 namespace detail {
 
@@ -458,7 +446,7 @@ IMBIBE_INLINE void truncate(Pack<float, width> x, std::int32_t* to) {
 /// a in the first `count` lanes, b in the others.
 template <class Real, int width>
 IMBIBE_INLINE Pack<Real, width> select_first(unsigned count, Pack<Real, width> a, Pack<Real, width> b) {
-    Real numbers[width];
+    Real numbers[static_cast<std::size_t>(width)];
     for (int k = 0; k < width; ++k)
         numbers[k] = static_cast<Real>(k);
     return select(Pack<Real, width>::load(numbers) < Pack<Real, width>(static_cast<Real>(count)), a, b);

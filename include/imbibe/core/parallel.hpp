@@ -2,6 +2,7 @@
 // is computed depends on how many threads there are.
 #pragma once
 
+#include <imbibe/core/build_options.hpp>
 #include <imbibe/core/denormals.hpp>
 
 #include <exception>
@@ -13,7 +14,7 @@
 namespace imbibe {
 
 /// How many threads a loop may use at most: the machine's, or 1 without OpenMP.
-inline int available_threads() {
+IMBIBE_PER_BUILD inline int available_threads() {
 #ifdef _OPENMP
     return omp_get_max_threads();
 #else
@@ -30,7 +31,7 @@ inline int threads_for(int particles, int threads) {
 /// Calls f(k) for k = 0 ... n-1, on up to `threads` threads in any order. f must not write what another call reads.
 /// The first exception thrown by a call is thrown again when all are done. In f denormal numbers are zero.
 template <class F>
-void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
+IMBIBE_PER_BUILD void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
 #ifdef _OPENMP
     if (threads > 1 && n > 1) {
         std::exception_ptr failure;
@@ -60,7 +61,7 @@ void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
 
 /// Splits n particles into blocks of `block` and calls f(begin, end) for each.
 template <class F>
-void parallel_blocks(int n, int block, int threads, const F& f) {
+IMBIBE_PER_BUILD void parallel_blocks(int n, int block, int threads, const F& f) {
     parallel_for((n + block - 1) / block, threads, [&](int k) {
         const int begin = k * block;
         f(begin, begin + block < n ? begin + block : n);
@@ -69,7 +70,7 @@ void parallel_blocks(int n, int block, int threads, const F& f) {
 
 /// combine(result, map(begin, end)) over fixed blocks in fixed order: the same bits for any number of threads.
 template <class T, class Map, class Combine>
-T parallel_reduce(int n, int threads, T start, const Map& map, const Combine& combine) {
+IMBIBE_PER_BUILD T parallel_reduce(int n, int threads, T start, const Map& map, const Combine& combine) {
     constexpr int block = 4096, most = 512;
     const int size = n / most + 1 > block ? n / most + 1 : block;
     T parts[most + 1];

@@ -70,7 +70,7 @@ struct Bounds {
 
 /// The bounds of a set of points.
 template <int dim, class Real>
-Bounds<dim> bounds_of(const Points<dim, Real>& points, int threads) {
+IMBIBE_PER_BUILD Bounds<dim> bounds_of(const Points<dim, Real>& points, int threads) {
     return parallel_reduce(
         points.n, threads, Bounds<dim>{},
         [&](int begin, int end) {
@@ -182,7 +182,7 @@ private:
 };
 
 /// Where the particles of each cell stand in the sorted order of one set of points.
-class CellTable {
+class IMBIBE_PER_BUILD CellTable {
 public:
     /// Counting sort by cell, stable. Afterwards `order()[k]` is the present index of the particle that belongs at k.
     /// Returns whether the points are in that order already.

@@ -28,7 +28,7 @@ namespace imbibe::search {
 /// @tparam dim 2 or 3
 /// @tparam Real float or double: of the coordinates, and of the comparison
 template <int dim, class Real>
-class NeighbourSearch {
+class IMBIBE_PER_BUILD NeighbourSearch {
 public:
     /// n rows, one for each point, and dim columns; views of a scene's positions fit without a copy.
     using Positions = Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, dim>, 0, Eigen::OuterStride<>>;

@@ -114,7 +114,7 @@ struct RowsAround {
 /// How far the support of a particle reaches in each of the rows around it: from cell low[r] up to, not including, cell
 /// high[r], counted along x from the particle's own cell. low[r] >= high[r] where it does not reach the row.
 template <int dim>
-struct Reach {
+struct IMBIBE_PER_BUILD Reach {
     std::array<std::int32_t, RowsAround<dim>::room> low, high;
 
     /// @param x where the particle stands in its own cell, from 0 to 1

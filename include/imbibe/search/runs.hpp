@@ -2,6 +2,8 @@
 // order sorted by cell. A pair loop loads a run with one plain load per number and masks what is beyond its count.
 #pragma once
 
+#include <imbibe/core/build_options.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +18,7 @@ struct Run {
 
 /// The runs of all particles of one phase in one other (or the same) phase. Kept in blocks of particles so that
 /// threads build and read them independently; memory is reused from step to step.
-class RunList {
+class IMBIBE_PER_BUILD RunList {
 public:
     static constexpr int block_size = 256;
 

@@ -11,7 +11,7 @@ namespace imbibe::detail {
 
 /// @tparam Scene a Composition
 template <int dim, class Real, class Scene>
-class Engine : public Mover<dim, Real, Scene> {
+class IMBIBE_PER_BUILD Engine : public Mover<dim, Real, Scene> {
     using Base = Mover<dim, Real, Scene>;
 
 public:

@@ -6,7 +6,7 @@
 namespace imbibe::detail {
 
 template <int dim, class Real, class Scene>
-class Mover : public Neighbourhood<dim, Real, Scene> {
+class IMBIBE_PER_BUILD Mover : public Neighbourhood<dim, Real, Scene> {
     using Base = Neighbourhood<dim, Real, Scene>;
 
 public:

@@ -9,7 +9,7 @@
 namespace imbibe::detail {
 
 template <int dim, class Real, class Scene>
-class Neighbourhood : public SceneState<dim, Real, Scene> {
+class IMBIBE_PER_BUILD Neighbourhood : public SceneState<dim, Real, Scene> {
     using Base = SceneState<dim, Real, Scene>;
 
 public:

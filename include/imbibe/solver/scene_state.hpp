@@ -8,7 +8,7 @@ namespace imbibe::detail {
 
 /// The neighbours of phase A's particles among those of phase B.
 template <class A_, class B_, bool reference_>
-struct Link {
+struct IMBIBE_PER_BUILD Link {
     using A = A_;
     using B = B_;
     static constexpr bool reference = reference_;
@@ -32,7 +32,7 @@ struct Motion {
 
 /// @tparam Scene a Composition
 template <int dim, class Real, class Scene>
-class SceneState {
+class IMBIBE_PER_BUILD SceneState {
 public:
     static constexpr int dimension = dim, width = native_width<Real>;
     template <class P>

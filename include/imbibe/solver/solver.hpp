@@ -23,7 +23,7 @@ struct PhaseHandle {};
 /// @tparam Integrator how a step is made of rates; see time/
 /// @tparam Items the phases and the couplings between them, in any order
 template <int dim, class Real_, class Integrator, class... Items>
-class Solver {
+class IMBIBE_PER_BUILD Solver {
 public:
     using Scene = Composition<dim, Items...>;
     static_assert(dim == 2 || dim == 3);

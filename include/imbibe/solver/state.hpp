@@ -34,7 +34,7 @@ using FieldView = Eigen::Map<Numbers, 0, Eigen::OuterStride<>>;
 
 /// @tparam List the fields of the phase
 template <class P, class List, int dim, class Real>
-class PhaseState {
+class IMBIBE_PER_BUILD PhaseState {
 public:
     static constexpr int component_total = component_count<dim, List>;
     template <class F>
