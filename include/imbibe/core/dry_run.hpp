@@ -78,7 +78,7 @@ inline constexpr bool is_pair_part =
 /// Which of a part's declared reads it makes on a, and which on b.
 template <int n>
 struct SidedReads {
-    bool a[n + 1] = {}, b[n + 1] = {};
+    bool a[static_cast<std::size_t>(n + 1)] = {}, b[static_cast<std::size_t>(n + 1)] = {};
 };
 
 template <class Part, int dim, class MaterialA, class MaterialB>

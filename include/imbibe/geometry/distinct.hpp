@@ -38,7 +38,7 @@ void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
             hash = (hash ^ static_cast<std::uint64_t>(place[axis])) * 0x9e3779b97f4a7c15ULL;
             hash ^= hash >> 32; // lattices differ in few bits; fold the well mixed upper half onto the lower
         }
-        return static_cast<std::size_t>(hash) & (buckets - 1);
+        return hash & (buckets - 1);
     };
 
     for (std::size_t i = 0; i < points.size(); ++i) {

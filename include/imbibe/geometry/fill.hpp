@@ -25,8 +25,8 @@ std::vector<Point<dim>> lattice_points(const char* who, const Box<dim>& bounds, 
             point_text<dim>(bounds.upper()), "). Intersect it with a box: shape & Box.");
     require_positive(who, "spacing", spacing, "Give the distance between particles in metres.");
     require_finite<dim>(who, "anchor", anchor);
-    std::array<double, dim> first;
-    std::array<double, dim> last;
+    std::array<double, static_cast<std::size_t>(dim)> first;
+    std::array<double, static_cast<std::size_t>(dim)> last;
     double count = 1;
     double farthest = 0;
     for (int axis = 0; axis < dim; ++axis) {
@@ -45,7 +45,7 @@ std::vector<Point<dim>> lattice_points(const char* who, const Box<dim>& bounds, 
             " m. Move the shape nearer to the origin.");
 
     std::vector<Point<dim>> points;
-    std::array<double, dim> index = first;
+    std::array<double, static_cast<std::size_t>(dim)> index = first;
     for (;;) {
         Point<dim> point;
         for (int axis = 0; axis < dim; ++axis) // from the index, not by adding up, so that round-off cannot grow

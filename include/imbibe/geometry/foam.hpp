@@ -173,8 +173,8 @@ private:
         }
     }
 
-    [[nodiscard]] std::array<std::size_t, dim> cell_of(const Point<dim>& point) const {
-        std::array<std::size_t, dim> result;
+    [[nodiscard]] std::array<std::size_t, static_cast<std::size_t>(dim)> cell_of(const Point<dim>& point) const {
+        std::array<std::size_t, static_cast<std::size_t>(dim)> result;
         for (int axis = 0; axis < dim; ++axis) {
             const auto slot = static_cast<std::size_t>(axis);
             const double n = static_cast<double>(cells_[slot]);
@@ -184,7 +184,7 @@ private:
         return result;
     }
 
-    [[nodiscard]] std::size_t flat(const std::array<std::size_t, dim>& cell) const {
+    [[nodiscard]] std::size_t flat(const std::array<std::size_t, static_cast<std::size_t>(dim)>& cell) const {
         std::size_t result = 0;
         for (std::size_t axis = dim; axis-- > 0;)
             result = result * cells_[axis] + cell[axis];
@@ -203,7 +203,7 @@ private:
     Box<dim> box_;
     Foam foam_;
     std::vector<Sphere<dim>> balls_;
-    std::array<std::size_t, dim> cells_{};
+    std::array<std::size_t, static_cast<std::size_t>(dim)> cells_{};
     std::vector<std::vector<std::size_t>> near_; // for each cell the balls that reach into it
 };
 

@@ -64,8 +64,8 @@ template <AnyShape S>
     const Box<dim> box = solid.bounds();
     require(box.bounded(), "widest_passage: the shape has no bounds. Intersect it with a box: shape & Box.");
 
-    std::array<std::size_t, dim> cells;
-    std::array<std::size_t, dim> stride;
+    std::array<std::size_t, static_cast<std::size_t>(dim)> cells;
+    std::array<std::size_t, static_cast<std::size_t>(dim)> stride;
     double total = 1;
     for (int k = 0; k < dim; ++k)
         total *= std::ceil(box.size()[k] / cell - 1e-6);

@@ -20,7 +20,7 @@ enum class PoreShape {
 /// What a regular array of straight pores is described by. Cross axes are those other than `axis`, in ascending order.
 template <int dim>
 struct Pores {
-    std::array<int, dim - 1> count{};       ///< pores along each cross axis, at least 1
+    std::array<int, static_cast<std::size_t>(dim - 1)> count{}; ///< pores along each cross axis, at least 1
     double pitch = 0;                       ///< distance between the centres of neighbouring pores, m
     double radius = 0;                      ///< half the clear width, m: circle radius, half a side, or apothem
     PoreShape shape = PoreShape::circular;  ///< cross-section; in 2D every pore is a slot
@@ -82,7 +82,7 @@ public:
 
     /// Whether the point is in a pore, taken as running on without end on both sides of the slab.
     [[nodiscard]] bool in_pore(const Point<dim>& point) const {
-        std::array<double, dim - 1> offset; // from the centre of the nearest pore
+        std::array<double, static_cast<std::size_t>(dim - 1)> offset; // from the centre of the nearest pore
         for (std::size_t k = 0; k < dim - 1; ++k) {
             const int axis = cross_axis(k);
             const double last = pores_.count[k] - 1;

@@ -70,7 +70,7 @@ template <int dim>
         double coordinate;
         bool inside;
     };
-    std::array<std::vector<Place>, dim> places;
+    std::array<std::vector<Place>, static_cast<std::size_t>(dim)> places;
     for (int axis = 0; axis < dim; ++axis) {
         const double length = inner.size()[axis];
         const double cells = std::round(length / spacing);
@@ -86,7 +86,7 @@ template <int dim>
     }
 
     std::vector<Point<dim>> points;
-    std::array<std::size_t, dim> index{};
+    std::array<std::size_t, static_cast<std::size_t>(dim)> index{};
     for (;;) {
         Point<dim> point;
         bool inside = true;

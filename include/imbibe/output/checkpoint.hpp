@@ -40,7 +40,7 @@ struct CheckpointWriter {
     requires std::is_trivially_copyable_v<T>
     void operator()(const T& value) { array(&value, 1); }
     void operator()(const std::string& words) {
-        (*this)(static_cast<std::uint64_t>(words.size()));
+        (*this)(std::uint64_t{words.size()});
         bytes += words;
     }
     template <class T>
@@ -62,8 +62,8 @@ struct CheckpointReader {
         std::uint64_t size = 0;
         (*this)(size);
         need(size, 1);
-        words.assign(bytes.substr(0, static_cast<std::size_t>(size)));
-        bytes.remove_prefix(static_cast<std::size_t>(size));
+        words.assign(bytes.substr(0, size));
+        bytes.remove_prefix(size);
     }
     template <class T>
     void array(T* values, std::size_t count) {
@@ -140,7 +140,7 @@ void write_checkpoint(Scene& scene, const std::filesystem::path& path, const Che
     scene.require_finite("nothing is written to " + path.string() + ", what is there stays: ");
     detail::CheckpointWriter state;
     state.bytes = detail::checkpoint_head(scene);
-    state(static_cast<std::uint64_t>(notes.size()));
+    state(std::uint64_t{notes.size()});
     for (const auto& [name, value] : notes) {
         state(name);
         state(value);

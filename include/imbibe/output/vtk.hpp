@@ -193,10 +193,10 @@ private:
     static void visit(const VtkArray& array, VtkPrecision precision, Use use) {
         std::visit(
             [&]<class T>(const T* data) {
-                if (std::is_same_v<T, double> && precision == VtkPrecision::single)
-                    use(data, float{});
-                else
-                    use(data, T{});
+                if constexpr (std::is_same_v<T, double>)
+                    if (precision == VtkPrecision::single)
+                        return use(data, float{});
+                use(data, T{});
             },
             array.data);
     }

@@ -84,8 +84,8 @@ IMBIBE_PER_BUILD Bounds<dim> bounds_of(const Points<dim, Real>& points, int thre
                     if (!(std::abs(x) < Real(1e30)))
                         b.not_finite = i;
                 }
-                b.lower[d] = low;
-                b.upper[d] = high;
+                b.lower[d] = static_cast<double>(low);
+                b.upper[d] = static_cast<double>(high);
             }
             return b;
         },

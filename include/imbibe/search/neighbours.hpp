@@ -118,14 +118,15 @@ struct IMBIBE_PER_BUILD Reach {
     std::array<std::int32_t, RowsAround<dim>::room> low, high;
 
     /// @param x where the particle stands in its own cell, from 0 to 1
-    /// @param below,above the distances along y and z to the rows below and above, in cells along x
+    /// @param below the distances along y and z to the rows below, in cells along x
+    /// @param above those to the rows above
     /// @param support in cells along x
     IMBIBE_INLINE Reach(double x, const std::array<double, 2>& below, const std::array<double, 2>& above,
                         double support) {
         // In float: the numbers are small, and what rounding could lose the slack gives back. The bias makes them
         // positive, so that truncation is downwards.
         using T = Pack<float, native_width<float>>;
-        constexpr float bias = 64, slack = 1e-4f;
+        constexpr double bias = 64, slack = 1e-4;
         static constexpr Weights weights;
         const auto square = [](double gap) { return sq(std::min(gap, 1e9)); }; // not infinite in float
         const T room2(sq(support) * (1 + 1e-5)), y0(square(below[0])), y1(square(above[0])), z0(square(below[1])),

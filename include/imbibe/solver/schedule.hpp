@@ -309,8 +309,10 @@ private:
         for (int p = 0; p < phases; ++p) {
             bool due = true, some = false;
             for (int r = 0; r < static_cast<int>(n); ++r)
-                if (row(r).pair && row(r).phase == p && !done.test(r))
-                    some = true, due = due && is_ready.test(r);
+                if (row(r).pair && row(r).phase == p && !done.test(r)) {
+                    some = true;
+                    due = due && is_ready.test(r);
+                }
             if (some && due) {
                 any_due = true;
                 sweep(p, is_ready, false, swept);

@@ -210,7 +210,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     ab.support_radius = T(static_cast<Real>(source.support));
     ab.inverse_support = T(static_cast<Real>(1 / source.support));
     ab.gravity_now = a.gravity_now;
-    Real here[dim];
+    Real here[static_cast<std::size_t>(dim)];
     for (int d = 0; d < dim; ++d)
         here[d] = state.column(place_a + d)[i];
     if constexpr (PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference)
@@ -219,7 +219,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
                 here[d] = search::into_period(here[d], static_cast<Real>(source.periodic->lower[d]),
                                               static_cast<Real>(source.periodic->length[d]));
     // Where it is as seen through each periodic image; without periodic sides that is one place.
-    Real places[search::image_count<dim>][dim];
+    Real places[static_cast<std::size_t>(search::image_count<dim>)][static_cast<std::size_t>(dim)];
     for (int image = 0; image < source.image_number; ++image)
         for (int d = 0; d < dim; ++d)
             places[image][d] = here[d] - source.images[static_cast<std::size_t>(image)][d];
