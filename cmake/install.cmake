@@ -1,4 +1,4 @@
-# Installs the headers and the package that find_package(imbibe) reads.
+# Installs the headers, the package that find_package(imbibe) reads, and what pkg-config reads.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -12,3 +12,19 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/imbibe-config-version.cma
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/imbibe-config.cmake ${PROJECT_BINARY_DIR}/imbibe-config-version.cmake
     DESTINATION ${package_folder})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/imbibe.pc.in ${PROJECT_BINARY_DIR}/imbibe.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/imbibe.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+
+# `cd build && cpack` makes a Debian package of the same files.
+if(PROJECT_IS_TOP_LEVEL)
+    set(CPACK_GENERATOR DEB)
+    set(CPACK_PACKAGE_NAME libimbibe-dev)
+    set(CPACK_PACKAGE_CONTACT "The imbibe authors")
+    set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+    set(CPACK_VERBATIM_VARIABLES ON)
+    set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+    set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE all)
+    set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+    set(CPACK_DEBIAN_PACKAGE_DEPENDS libeigen3-dev)
+    include(CPack)
+endif()

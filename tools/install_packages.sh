@@ -11,7 +11,7 @@ set -eu
 packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy python3-matplotlib"
 for group in "$@"; do
     case $group in
-        tests) packages="$packages python3-vtk9" ;;
+        tests) packages="$packages python3-vtk9 pkg-config" ;;
         clang) packages="$packages clang libomp-dev" ;;
         benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind" ;;
         *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks" >&2; exit 2 ;;

@@ -1,5 +1,6 @@
-# Every way to take imbibe into another project: installed and found, as a subdirectory, fetched from a local folder.
-# Each is a small project beside this file, configured, built and run as its user would.
+# Every way to take imbibe into another project: installed and found, as a subdirectory, fetched from a local folder,
+# with a plain -I, through pkg-config, from a Debian package; and into projects with options of their own. Each is a
+# small project or program beside this file, built and run as its user would.
 set(prefix ${PROJECT_BINARY_DIR}/consume/prefix)
 
 add_test(NAME consume_install
@@ -21,8 +22,39 @@ foreach(way find_package add_subdirectory fetch_content)
 endforeach()
 set_tests_properties(consume_find_package PROPERTIES FIXTURES_REQUIRED imbibe_installed)
 
-if(EXISTS ${PROJECT_SOURCE_DIR}/examples/dam_break.cpp)
-    add_test(NAME consume_readme
-        COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/readme.cmake)
-    set_tests_properties(consume_readme PROPERTIES LABELS unit)
+# Without CMake: single calls of the compiler. See the script of each.
+get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+set(fast "-O3 ${OpenMP_CXX_FLAGS}")
+if(imbibe_march_native)
+    string(APPEND fast " -march=native")
 endif()
+find_program(IMBIBE_PKG_CONFIG pkg-config REQUIRED)
+find_program(IMBIBE_DPKG_DEB dpkg-deb)
+function(add_way name script)
+    add_test(NAME consume_${name}
+        COMMAND ${CMAKE_COMMAND} -DCOMPILER=${CMAKE_CXX_COMPILER} -DCOMPILER_ID=${CMAKE_CXX_COMPILER_ID}
+                "-DFLAGS=${CMAKE_CXX_FLAGS}" -DWARNINGS_ARE_ERRORS=${IMBIBE_STRICT}
+                -DINCLUDE=${PROJECT_SOURCE_DIR}/include "-DEIGEN=${eigen_folders}"
+                -DFOLDER=${PROJECT_BINARY_DIR}/consume/${name} -DVERSION=${PROJECT_VERSION} ${ARGN}
+                -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${script}.cmake)
+    set_tests_properties(consume_${name} PROPERTIES LABELS unit TIMEOUT 900)
+endfunction()
+add_way(plain plain)
+add_way(strict strict)
+add_way(two_options two_options "-DFAST=${fast}")
+set_tests_properties(consume_two_options PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive")
+add_way(pkg_config installed -DPREFIX=${prefix} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})
+set_tests_properties(consume_pkg_config PROPERTIES FIXTURES_REQUIRED imbibe_installed)
+if(IMBIBE_DPKG_DEB)
+    add_way(package installed -DPACKAGE_OF=${PROJECT_BINARY_DIR} -DCPACK=${CMAKE_CPACK_COMMAND}
+            -DDPKG_DEB=${IMBIBE_DPKG_DEB} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})
+else()
+    message(STATUS "Without dpkg-deb there is no test of the Debian package")
+endif()
+
+foreach(check readme version)
+    add_test(NAME consume_${check}
+        COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DVERSION=${PROJECT_VERSION}
+                -P ${CMAKE_CURRENT_LIST_DIR}/${check}.cmake)
+    set_tests_properties(consume_${check} PROPERTIES LABELS unit)
+endforeach()
