@@ -295,6 +295,7 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
             list.finish(i, static_cast<std::uint32_t>(used));
         }
     });
+    list.finish();
 }
 
 } // namespace imbibe::search

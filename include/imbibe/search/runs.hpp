@@ -48,6 +48,14 @@ public:
     std::vector<Run>& block(int b) { return blocks[static_cast<std::size_t>(b)]; }
     /// Says that the runs of particle i end at `end` in its block, where those of the next one begin.
     void finish(int i, std::uint32_t end) { ends[static_cast<std::size_t>(i)] = end; }
+    /// Says that all runs are there.
+    void finish() {
+        nothing = true;
+        for (int end = 0; nothing && end < particles;) {
+            end = end + block_size < particles ? end + block_size : particles;
+            nothing = ends[static_cast<std::size_t>(end - 1)] == 0;
+        }
+    }
     /// The runs of particle i.
     Range operator[](int i) const {
         const Run* base = blocks[static_cast<std::size_t>(i / block_size)].data();
@@ -61,7 +69,7 @@ public:
             sum += b.capacity() * sizeof(Run);
         return sum;
     }
-    /// Was it made by clear_all, or for no particles?
+    /// Has no particle a neighbour?
     bool is_empty() const { return nothing; }
 
 private:
