@@ -39,6 +39,7 @@
 #include <imbibe/solid/velocity_gradient.hpp>
 #include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
+#include <imbibe/solver/costs.hpp>
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>

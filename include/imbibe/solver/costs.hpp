@@ -1,0 +1,76 @@
+// What a composition costs, as constants: numbers stored, rounds, loops and sweeps, and what a sweep loads. Known to
+// the compiler before there is a particle, so a program can assert that an effect it did not list is not paid for.
+#pragma once
+
+#include <imbibe/solver/composition.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace imbibe {
+
+/// The costs of a composition of a scene, `Solver::Scene`, in one step: all of its terms, with a search.
+template <class Composition>
+class Costs;
+
+template <int dim, class... Items>
+class Costs<Composition<dim, Items...>> {
+    using Scene = Composition<dim, Items...>;
+
+    template <class P, class B, bool reference, class N>
+    static constexpr bool meets =
+        std::is_same_v<typename N::A, P>&& std::is_same_v<typename N::B, B>&& N::reference == reference;
+    template <class P, class B, bool reference, class... N>
+    static constexpr int loads_from() {
+        using Place = std::conditional_t<reference, ReferencePosition, Position>;
+        using Read = detail::Unique<detail::Concat<
+            TypeList<Place>, std::conditional_t<meets<P, B, reference, N>, detail::ReadsOnB<dim, N>, TypeList<>>...>>;
+        return (meets<P, B, reference, N> || ...) ? detail::component_count<dim, Read> : 0;
+    }
+    // Of one sweep: from the neighbours of now and from those of the stress-free solid.
+    template <class P, class B, class... N>
+    static constexpr int loads_of() {
+        return loads_from<P, B, false, N...>() + loads_from<P, B, true, N...>();
+    }
+    template <class P, class B, std::size_t k, std::size_t... r>
+    static constexpr int loads_of_rows(std::index_sequence<r...>) {
+        return loads_of<P, B, detail::At<Scene::plan.steps[k].rows[r], typename Scene::StepRows>...>();
+    }
+    template <class P, class B, std::size_t k>
+    static constexpr int loads_of_step() {
+        constexpr Step step = Scene::plan.steps[k];
+        if constexpr (step.sweep)
+            return loads_of_rows<P, B, k>(std::make_index_sequence<static_cast<std::size_t>(step.size)>{});
+        else
+            return 0;
+    }
+    template <class P, class B, std::size_t... k>
+    static constexpr int loads_of_steps(std::index_sequence<k...>) {
+        return (loads_of_step<P, B, k>() + ... + 0);
+    }
+
+public:
+    /// How many numbers a particle of phase P stores.
+    template <class P>
+    static constexpr int numbers = detail::component_count<dim, typename Scene::template FieldsOf<P>>;
+    /// The bytes of these numbers. A scene also keeps a number that names each particle, and, for sorting, everything
+    /// twice.
+    template <class P, class Real>
+    static constexpr std::size_t bytes = static_cast<std::size_t>(numbers<P>) * sizeof(Real);
+
+    /// Rounds of a step: everything in one of them can be computed at the same time.
+    static constexpr int rounds = Scene::plan.rounds;
+    /// Loops of a step, over particles or over their neighbours.
+    static constexpr int loops = Scene::plan.size;
+    /// Sweeps over the neighbours of phase P in a step.
+    template <class P>
+    static constexpr int sweeps = Scene::plan.sweeps(Scene::template phase_index<P>);
+
+    /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its place, once a sweep, and
+    /// the fields that terms read of it, once a sweep however many terms do.
+    template <class P, class B>
+    static constexpr int
+        loads = loads_of_steps<P, B>(std::make_index_sequence<static_cast<std::size_t>(Scene::plan.size)>{});
+};
+
+} // namespace imbibe
