@@ -9,25 +9,19 @@
 #include "support/block.hpp"
 #include "support/fluid.hpp"
 #include "support/hand_fluid.hpp"
+#include "support/measured.hpp"
 
 #include <imbibe/kernels/kernels.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 
-#include <cstdio>
 #include <cstring>
-#include <functional>
 #include <map>
 #include <string>
-
-// By its C name callgrind finds it, whatever the compiler.
-extern "C" __attribute__((noinline)) void measured(const std::function<void()>* work) {
-    (*work)();
-    __asm__ volatile("" ::: "memory"); // no tail call: callgrind is to see where it ends
-}
 
 namespace {
 
 using namespace imbibe;
+using bench::count;
 using bench::Water;
 using K = WendlandC2;
 
@@ -36,10 +30,6 @@ struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKi
 
 constexpr int particles = 8000;
 constexpr double support = 2.6;
-
-void count(const std::function<void()>& work) {
-    measured(&work);
-}
 
 /// W and the factor of its gradient, of every kernel, in whole packs.
 template <class Real, class... Kernel>
@@ -136,10 +126,6 @@ int main(int argc, char** argv) {
     }
     for (const auto& [name, work] : cases)
         std::printf("case %s\n", name.c_str());
-#ifdef __clang__
-    std::printf("compiler clang++ %s\n", __clang_version__);
-#else
-    std::printf("compiler g++ %s\n", __VERSION__);
-#endif
+    bench::print_compiler();
     return argc == 1 ? 0 : 2;
 }

@@ -1,0 +1,123 @@
+// What each effect costs: compositions with an effect and without it, a cube of 8000 particles in motion, 3D, float, a
+// support of 2.6 spacings of Wendland's C2, one thread; the loops of a step, without search and motion, which cost
+// every composition the same. tools/effects_report.py runs all of it and writes docs/effects.md:
+//
+//   build-benchmark/benchmarks/effects                    the cases, and what is known of each before it runs
+//   build-benchmark/benchmarks/effects CASE               does the work of a case once, for counting instructions
+//   build-benchmark/benchmarks/effects --time CASE        prints the time of it, ns per particle
+#include "support/block.hpp"
+#include "support/measured.hpp"
+
+#include <imbibe/imbibe.hpp>
+
+#include <map>
+
+namespace {
+
+using namespace imbibe;
+using K = WendlandC2;
+
+template <class... More>
+using WaterWith = Fluid<LinearState, VolumeContinuity<K>, VolumePressure<K>, More...>;
+template <class... More>
+using RubberWith = Solid<LinearState, Continuity<K>, VelocityGradient<K>, JaumannStress, StressForce<K>, More...>;
+template <class... More>
+using PlateWith =
+    Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>, More...>;
+
+// Phases are told apart by name.
+struct Water : WaterWith<> {};
+struct WaterMonaghan : WaterWith<MonaghanViscosity<K>> {};
+struct WaterLaminar : WaterWith<LaminarViscosity<>> {};
+struct WaterMorris : WaterWith<MorrisViscosity<K>> {};
+struct WaterCleary : WaterWith<ClearyViscosity<K>> {};
+struct WaterDiffusion : WaterWith<DensityDiffusion<K>> {};
+struct WaterFloor : WaterWith<DensityFloor> {};
+struct WaterXsph : WaterWith<Xsph<K>, XsphTransport> {};
+struct WaterShifting : WaterWith<ParticleShifting<K>> {};
+struct Rubber : RubberWith<> {};
+struct RubberArtificial : RubberWith<ArtificialStress<K>> {};
+struct RubberMonaghan : RubberWith<MonaghanViscosity<K>> {};
+struct Plate : PlateWith<> {};
+struct PlateHourglass : PlateWith<HourglassControl<K>> {};
+struct PlateViscosity : PlateWith<TotalLagrangianViscosity<K>> {};
+struct PlateClamped : PlateWith<Clamped> {};
+
+template <class P>
+P material() {
+    if constexpr (requires(P p) { p.shear_modulus; })
+        return P{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
+    else
+        return P{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
+}
+
+template <class P>
+auto prepared() {
+    return bench::block<float>(material<P>(), 8000, 2.6);
+}
+template <class P>
+double count() {
+    auto engine = prepared<P>();
+    bench::count([&] { bench::run_loops(engine); });
+    return engine.template state<P>().size();
+}
+/// The shortest of 30 steps, ns per particle.
+template <class P>
+double nanoseconds() {
+    auto engine = prepared<P>();
+    return 1e9 * bench::shortest_seconds(30, [&] { bench::run_loops(engine); }) / engine.template state<P>().size();
+}
+
+struct Case {
+    std::string costs, effect, good_for;
+    double (*count)();
+    double (*nanoseconds)();
+};
+template <class P>
+void add(std::map<std::string, Case>& cases, const char* effect, const char* good_for) {
+    using C = Costs<Composition<3, P>>;
+    cases[detail::type_name<P>()] = {
+        text(C::template bytes<P, float>, " ", C::template sweeps<P>, " ", C::rounds, " ", C::template loads<P, P>),
+        effect, good_for, count<P>, nanoseconds<P>};
+}
+
+std::map<std::string, Case> all_cases() {
+    std::map<std::string, Case> cases;
+    add<Water>(cases, "a fluid: state, continuity, pressure", "what the rows below are compared with");
+    add<WaterMonaghan>(cases, "`MonaghanViscosity`", "damps noise and sound; keeps particles apart in a shock");
+    add<WaterLaminar>(cases, "`LaminarViscosity`", "the sponge paper's viscosity");
+    add<WaterMorris>(cases, "`MorrisViscosity`", "real viscosity, where channels and boundary layers count");
+    add<WaterCleary>(cases, "`ClearyViscosity`", "real viscosity that keeps angular momentum; jumps of viscosity");
+    add<WaterDiffusion>(cases, "`DensityDiffusion`", "a smooth pressure");
+    add<WaterFloor>(cases, "`DensityFloor`", "splashes: no tension where drops part");
+    add<WaterXsph>(cases, "`Xsph` with `XsphTransport`", "particles that move with their neighbours, in order");
+    add<WaterShifting>(cases, "`ParticleShifting`", "evenly spread particles where flow stretches them");
+    add<Rubber>(cases, "a solid with a stress rate", "what the rows below are compared with");
+    add<RubberArtificial>(cases, "`ArtificialStress`", "keeps particles from clumping under tension");
+    add<RubberMonaghan>(cases, "`MonaghanViscosity`", "damps waves that go from particle to particle");
+    add<Plate>(cases, "a total-Lagrangian solid", "what the rows below are compared with");
+    add<PlateHourglass>(cases, "`HourglassControl`", "resists motions that leave the deformation gradient as it is");
+    add<PlateViscosity>(cases, "`TotalLagrangianViscosity`", "damps what rings");
+    add<PlateClamped>(cases, "`Clamped`", "holds some of the particles where they are");
+    return cases;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const auto cases = all_cases();
+    const std::string last = argc > 1 ? argv[argc - 1] : "";
+    if (argc == 2 && cases.contains(last)) {
+        std::printf("items %.0f\n", cases.at(last).count());
+        return 0;
+    }
+    if (argc == 3 && std::string(argv[1]) == "--time" && cases.contains(last)) {
+        std::printf("nanoseconds %.1f\n", cases.at(last).nanoseconds());
+        return 0;
+    }
+    for (const auto& [name, it] : cases)
+        std::printf("case %s\ncosts %s %s | %s | %s\n", name.c_str(), name.c_str(), it.costs.c_str(), it.effect.c_str(),
+                    it.good_for.c_str());
+    bench::print_compiler();
+    return argc == 1 ? 0 : 2;
+}

@@ -1,0 +1,98 @@
+// What a coupling costs while its phases are out of each other's reach: a strip of the sponge under 5 mm of water, a
+// whole step with its search, float, one thread. The sponge alone, water and vessel alone, all of them with the water
+// still above the sponge's reach, and with the water on the sponge. For callgrind, as count_instructions.cpp:
+//
+//   python3 tools/count_instructions.py build-benchmark/benchmarks/out_of_reach -o out_of_reach.json
+//   build-benchmark/benchmarks/out_of_reach             the cases
+//   build-benchmark/benchmarks/out_of_reach CASE        does the work of a case once; its items are steps
+//   build-benchmark/benchmarks/out_of_reach --time CASE        prints the time of it, us per step
+#include "support/measured.hpp"
+
+#include <imbibe/presets/sponge.hpp>
+
+#include <map>
+#include <string>
+
+namespace {
+
+using namespace imbibe;
+using Preset = presets::SoundSponge;
+using Water = Preset::Water;
+using Sponge = Preset::Sponge;
+using Vessel = Preset::Vessel;
+using Walls = Preset::Sides; // water and vessel
+
+presets::SpongeCase strip(double gap) {
+    return {.water_spacing = 0.7e-3, .gap = gap, .search_interval = 1, .strip = true, .pool = 5e-3, .threads = 1};
+}
+auto together(double gap) {
+    return Preset::make<float>(strip(gap));
+}
+/// What `together` has of the phases listed, without the others.
+template <class... Items>
+auto alone(double gap) {
+    const auto c = strip(gap);
+    auto whole = together(gap);
+    Solver<3, float, SymplecticEuler, Items...> scene(whole.settings());
+    const auto copy = [&]<class P>(std::type_identity<P>, const std::vector<Point<3>>& points) {
+        if constexpr ((std::is_same_v<P, Items> || ...)) {
+            auto material = whole.template get<P>().material();
+            const auto handle = scene.add(material, points, material.spacing);
+            if constexpr (std::is_same_v<P, Sponge>)
+                scene.hold(handle, [&](const Point<3>& x) { return c.clamped(x); });
+        }
+    };
+    copy(std::type_identity<Water>{}, c.water());
+    copy(std::type_identity<Sponge>{}, c.sponge());
+    copy(std::type_identity<Vessel>{}, c.vessel(whole.settings().support_radius));
+    if constexpr ((std::is_same_v<Walls, Items> || ...))
+        scene.template coupling<Walls>() = whole.template coupling<Walls>();
+    return scene;
+}
+
+constexpr double dry = 4.5e-3, wet = 0.4e-3; // m of air between water and sponge
+
+template <class Scene>
+double count(Scene scene) {
+    scene.step(1e-6);
+    scene.step(1e-6);
+    bench::count([&] { scene.step(1e-6); });
+    return 1;
+}
+template <class Scene>
+double microseconds(Scene scene) {
+    return bench::shortest_seconds(30, [&] { scene.step(1e-6); }) * 1e6;
+}
+
+struct Case {
+    double (*count)();
+    double (*microseconds)();
+};
+template <class Make>
+Case of(Make) {
+    return {[] { return count(Make{}()); }, [] { return microseconds(Make{}()); }};
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const std::map<std::string, Case> cases{
+        {"sponge_alone", of([] { return alone<Sponge>(dry); })},
+        {"water_alone", of([] { return alone<Water, Vessel, Walls>(dry); })},
+        {"out_of_reach", of([] { return together(dry); })},
+        {"within_reach", of([] { return together(wet); })},
+    };
+    const std::string last = argc > 1 ? argv[argc - 1] : "";
+    if (argc == 2 && cases.contains(last)) {
+        std::printf("items %.0f\n", cases.at(last).count());
+        return 0;
+    }
+    if (argc == 3 && std::string(argv[1]) == "--time" && cases.contains(last)) {
+        std::printf("microseconds %.1f\n", cases.at(last).microseconds());
+        return 0;
+    }
+    for (const auto& [name, it] : cases)
+        std::printf("case %s\n", name.c_str());
+    bench::print_compiler();
+    return argc == 1 ? 0 : 2;
+}
