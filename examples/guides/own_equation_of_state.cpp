@@ -44,11 +44,11 @@ using Scene = sph::Solver<2, double, sph::SymplecticEuler, Gas>;
 
 int main() {
     const VanDerWaalsParameters coefficients{.a = 100};
-    const double dx = 1.0 / 40, rho = 100, c = coefficients.sound_speed(rho), period = 1 / c;
-    Scene scene({.support_radius = 3 * dx, .cfl = 0.2, .periodic_length = {1, 0.25}});
+    const double dx = 1.0 / 80, rho = 100, c = coefficients.sound_speed(rho), period = 1 / c;
+    Scene scene({.support_radius = 3 * dx, .cfl = 0.1, .periodic_length = {1, 0.125}});
     Gas gas{{.density = rho, .sound_speed = c}};
     gas.set(coefficients);
-    const auto box = scene.add(gas, sph::fill(sph::Box<2>({0, 0}, {1, 0.25}), dx), dx);
+    const auto box = scene.add(gas, sph::fill(sph::Box<2>({0, 0}, {1, 0.125}), dx), dx);
     auto view = scene[box];
     const auto wave = [&](int i) { return std::cos(2 * std::numbers::pi * view[sph::position](i, 0)); };
     for (int i = 0; i < view.size(); ++i)
