@@ -4,6 +4,8 @@
 //   build-benchmark/benchmarks/accuracy_cost taylor-green -o taylor-green.csv     vortices that decay, Re = 100
 //   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
 //   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
+#include "validation/plates.hpp"
+
 #include <imbibe/imbibe.hpp>
 
 #include <CLI/CLI.hpp>
@@ -92,13 +94,7 @@ accuracy::Outcome vortices_by(const accuracy::Choices& choose) {
 
 // ---- the start of a flow between plates: gap 1 mm, nu = 1e-6 m^2/s, body force 1e-4 m/s^2 ----
 
-template <class K>
-struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
-struct Plates : sph::Wall<> {};
-template <class K>
-struct OnPlates : sph::Coupling<Oil<K>, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>,
-                                sph::VolumePressure<K>, sph::Into<Oil<K>, sph::VolumeContinuity<K>>,
-                                sph::Into<Plates, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
+using validation::plates::Oil, validation::plates::OnPlates, validation::plates::Plates;
 
 /// The series solution of the velocity at height y and time t, m/s.
 double plate_flow(double y, double t) {

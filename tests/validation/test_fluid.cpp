@@ -4,7 +4,6 @@
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/density_floor.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
-#include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
@@ -14,11 +13,9 @@
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
-#include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
-#include <Eigen/QR>
-
+#include <benchmarks/validation/plates.hpp>
 #include <catch_shim.hpp>
 
 #include <algorithm>
@@ -29,6 +26,7 @@
 namespace fluid_validation {
 
 namespace sph = imbibe;
+namespace plates = validation::plates;
 using K = sph::WendlandC2;
 using Point = sph::Point<2>;
 
@@ -133,58 +131,18 @@ TEST_CASE("Water at rest bears its weight and comes to rest", "[fluid]") {
 
 // ---- flow between plates ----
 
-struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
-struct Plates : sph::Wall<> {};
-struct OilAtPlates : sph::Coupling<Oil, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>,
-                                   sph::VolumePressure<K>, sph::Into<Oil, sph::VolumeContinuity<K>>,
-                                   sph::Into<Plates, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
-using OilScene = sph::Solver<2, double, sph::SymplecticEuler, Oil, Plates, OilAtPlates>;
-
-constexpr double gap = 1e-3, nu = 1e-6, force = 1e-4;
-constexpr std::array<double, 5> times{0.0225, 0.045, 0.1125, 0.225, 1};
-constexpr std::array<double, 5> centre_velocity{2.23274e-6, 4.23457e-6, 8.24991e-6, 11.0998e-6, 12.4993e-6};
-
-/// The velocity at the centre: the even polynomial of fourth degree that fits the middle half of the gap best.
-inline double centre(const OilScene& scene) {
-    const auto oil = scene.get<Oil>();
-    std::vector<std::array<double, 2>> samples;
-    for (int i = 0; i < oil.size(); ++i) {
-        const double y = oil[sph::position](i, 1) / gap - 0.5;
-        if (std::abs(y) < 0.25)
-            samples.push_back({y, oil[sph::velocity](i, 0)});
-    }
-    Eigen::MatrixX3d powers(static_cast<Eigen::Index>(samples.size()), 3);
-    Eigen::VectorXd speeds(powers.rows());
-    for (Eigen::Index k = 0; k < powers.rows(); ++k) {
-        const auto [y, u] = samples[static_cast<std::size_t>(k)];
-        powers.row(k) << 1, y * y, y * y * y * y;
-        speeds(k) = u;
-    }
-    return powers.colPivHouseholderQr().solve(speeds)(0);
-}
-
-/// Relative errors of the velocity at the centre at `times`, with this many particles across.
+/// Relative errors of the velocity at the centre at `plates::times`, with this many particles across.
 inline std::array<double, 5> poiseuille(int across) {
-    const double spacing = gap / across, length = 8 * spacing;
-    OilScene scene(
-        {.gravity = {force, 0}, .support_radius = support * spacing, .periodic_length = {length, 0}, .threads = 1});
-    // Eighty times the greatest speed: the viscous limit on the step is the shorter one all the same.
-    scene.add(Oil{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1000 * nu}},
-              sph::fill(sph::Box<2>{{0, 0}, {length, gap}}, spacing), spacing);
-    scene.add(Plates{{.density = 1000}}, sph::tank(sph::Box<2>{{0, 0}, {length, gap}}, spacing, layers, sph::Sides::x),
-              spacing);
-    std::array<double, 5> errors{};
-    for (std::size_t k = 0; k < times.size(); ++k) {
-        scene.run_until(times[k]);
-        errors[k] = centre(scene) / centre_velocity[k] - 1;
-    }
+    auto errors = plates::middle_velocities<K>(plates::poiseuille, across, support);
+    for (std::size_t k = 0; k < errors.size(); ++k)
+        errors[k] = errors[k] / plates::poiseuille.middle[k] - 1;
     return errors;
 }
 
 TEST_CASE("Flow between plates starts up as the series says", "[fluid]") {
     const auto coarse = poiseuille(10), middle = poiseuille(20), fine = poiseuille(40);
-    for (std::size_t k = 0; k < times.size(); ++k) {
-        CAPTURE(times[k], coarse[k], middle[k], fine[k]);
+    for (std::size_t k = 0; k < plates::times.size(); ++k) {
+        CAPTURE(plates::times[k], coarse[k], middle[k], fine[k]);
         CHECK(std::abs(fine[k]) < 0.007);
     }
     // Finer spacing with the same H in spacings does not converge to zero but to the error of the lattice sum: a flow
@@ -194,6 +152,22 @@ TEST_CASE("Flow between plates starts up as the series says", "[fluid]") {
     CAPTURE(coarse[4], middle[4], fine[4], order, limit);
     CHECK(order > 1.5);
     CHECK(std::abs(limit - lattice_error) < 0.001); // chosen after seeing the errors
+}
+
+TEST_CASE("Flow under a moving plate starts up as the series says", "[fluid]") {
+    // With 4 spacings of support: the lattice sum is then 0.9992, and the order is that of the walls and the kernel.
+    const auto errors = [](int across) { // of the plate's speed
+        auto found = plates::middle_velocities<K>(plates::couette, across, 4);
+        for (std::size_t k = 0; k < found.size(); ++k)
+            found[k] = (found[k] - plates::couette.middle[k]) / plates::couette.lid;
+        return found;
+    };
+    const auto coarse = errors(10), fine = errors(20);
+    for (std::size_t k = 0; k < plates::times.size(); ++k) {
+        CAPTURE(plates::times[k], coarse[k], fine[k]);
+        CHECK(std::abs(fine[k]) < 0.007);
+    }
+    CHECK(std::log2(coarse[2] / fine[2]) > 1.5); // the order of convergence, at 0.1125 s
 }
 
 // ---- dam break ----

@@ -17,8 +17,10 @@
 //            4               6 %          17 %          28 %
 //            6               4 %           9 %          13 %
 //           10               2 %           4 %           5 %
+// Of that, 1/(2 n^2) with n particles across is the sum over the layers, whatever the support: bending_modulus.
 #pragma once
 
+#include <imbibe/solid/bending_modulus.hpp>
 #include <imbibe/solid/cauchy_stress.hpp>
 #include <imbibe/solid/deformation_gradient.hpp>
 #include <imbibe/solid/displacement.hpp>

@@ -1,0 +1,158 @@
+// Five couplings of water and solid on three scenes: what each gives for four support radii and four spacings, how long
+// its steps are, what it costs, how near it lets the water come. Prints tables and writes the curves.
+//
+//   build-benchmark/benchmarks/couplings plate              half a metre of water on a soft plate, minutes
+//   build-benchmark/benchmarks/couplings gate               water pushes a rubber gate open
+//   build-benchmark/benchmarks/couplings sponge             one row of pores of the paper's sponge, an hour
+//   build-benchmark/benchmarks/couplings sponge --only "extrapolated pressure" --vary support
+#include "couplings/gate.hpp"
+#include "couplings/plate.hpp"
+#include "couplings/sponge.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+namespace {
+
+using namespace couplings;
+
+struct Named {
+    std::string name;
+    std::function<Outcome(const Numerics&)> run;
+};
+
+/// A scene with every coupling, and the numerics over which it is run; the first of each is the one kept while the
+/// other varies.
+struct SceneToRun {
+    std::vector<Named> contacts;
+    std::vector<double> spacings, ratios;
+    double end;
+    const char* value;
+};
+
+/// Every coupling, each run by `run(type, numerics)`.
+template <class... Kit, class Run>
+std::vector<Named> each(sph::TypeList<Kit...>, const Run& run) {
+    return {{Kit::name, [run](const Numerics& n) { return run(std::type_identity<Kit>{}, n); }}...};
+}
+using All = sph::TypeList<Extrapolated, Riemann, AlongNormals, ModifiedRepulsion, StiffRepulsion, ScaledRepulsion>;
+
+SceneToRun scene_by(const std::string& name) {
+    if (name == "plate")
+        return {
+            each(All{}, []<class Kit>(std::type_identity<Kit>, const Numerics& n) { return plate::run_with<Kit>(n); }),
+            {0.02, 0.025, 0.0125, 0.01},
+            {2.6, 2, 2.3, 3},
+            plate::end,
+            "sag over that of the dry plate"};
+    if (name == "gate")
+        return {
+            each(All{}, []<class Kit>(std::type_identity<Kit>, const Numerics& n) { return gate::run_with<Kit>(n); }),
+            {1e-3, 5e-3 / 3, 1.25e-3, 5e-3 / 6},
+            {2.6, 2, 2.3, 3},
+            gate::end,
+            "greatest way aside [mm]"};
+    return {each(All{}, []<class Kit>(std::type_identity<Kit>, const Numerics& n) { return sponge::run_with<Kit>(n); }),
+            {0.7e-3, 1e-3, 0.875e-3, 0.5e-3},
+            {2.6, 2, 2.2, 2.4},
+            sponge::end,
+            "greatest mean displacement [mm]"};
+}
+
+/// How far curves are apart at most, as a share of the greatest of all values.
+double spread_of(const std::vector<Outcome>& outcomes) {
+    double most = 0, apart = 0;
+    for (std::size_t k = 0; k < outcomes.front().curve.size(); ++k) {
+        double low = 1e300, high = -1e300;
+        for (const Outcome& o : outcomes) {
+            if (k >= o.curve.size())
+                return std::numeric_limits<double>::quiet_NaN(); // one broke off
+            low = std::min(low, o.curve[k]);
+            high = std::max(high, o.curve[k]);
+        }
+        most = std::max(most, high);
+        apart = std::max(apart, high - low);
+    }
+    return apart / most;
+}
+
+void write_curves(const std::filesystem::path& path, const std::vector<std::string>& names,
+                  const std::vector<Outcome>& outcomes, double end) {
+    std::vector<sph::Column> columns{{"time", "s"}};
+    for (const auto& name : names)
+        columns.push_back({name, "mm"});
+    sph::Table table(path, columns);
+    for (std::size_t k = 0; k < outcomes.front().curve.size(); ++k) {
+        std::vector<double> row{end * double(k + 1) / double(outcomes.front().curve.size())};
+        for (const Outcome& o : outcomes)
+            row.push_back(k < o.curve.size() ? o.curve[k] : std::numeric_limits<double>::quiet_NaN());
+        table.row(row);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::string scene_name, only, vary = "both", folder = "out-couplings";
+    CLI::App app{"Five couplings of water and solid on three scenes."};
+    app.add_option("scene", scene_name, "plate, gate or sponge")
+        ->required()
+        ->check(CLI::IsMember({"plate", "gate", "sponge"}));
+    app.add_option("--only", only, "one coupling, by its name in the table");
+    app.add_option("--vary", vary, "support, spacing or both")
+        ->check(CLI::IsMember({"support", "spacing", "both"}))
+        ->capture_default_str();
+    app.add_option("--output", folder, "folder for the curves")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    try {
+        const SceneToRun scene = scene_by(scene_name);
+        sph::require_writable(folder);
+        for (const bool supports : {true, false}) {
+            if (vary != "both" && (vary == "support") != supports)
+                continue;
+            const auto& values = supports ? scene.ratios : scene.spacings;
+            std::printf("\n%s, %s over %s\n\n| coupling |", scene_name.c_str(), scene.value,
+                        supports ? "H in spacings" : "the spacing in mm");
+            for (double v : values)
+                std::printf(" %.3g |", supports ? v : v * 1e3);
+            std::printf(" spread of the curves | mean step [us] | seconds | least distance [spacings] |\n|---|");
+            for (std::size_t k = 0; k < values.size() + 4; ++k)
+                std::printf("---|");
+            std::printf("\n");
+            for (const Named& contact : scene.contacts) {
+                if (!only.empty() && only != contact.name)
+                    continue;
+                std::vector<Outcome> outcomes;
+                std::vector<std::string> names;
+                std::printf("| %s |", contact.name.c_str());
+                for (double v : values) {
+                    outcomes.push_back(contact.run(supports ? Numerics{scene.spacings.front(), v}
+                                                            : Numerics{v, scene.ratios.front()}));
+                    names.push_back(supports ? sph::text("H = ", v, " spacings")
+                                             : sph::text("spacing ", v * 1e3, " mm"));
+                    if (outcomes.back().failure.empty())
+                        std::printf(" %.4g |", outcomes.back().value);
+                    else
+                        std::printf(" failed |");
+                    std::fflush(stdout);
+                }
+                const Outcome& first = outcomes.front();
+                std::printf(" %.1f %% | %.3g | %.3g | %.2f |\n", 100 * spread_of(outcomes), first.step * 1e6,
+                            first.seconds, first.gap);
+                for (std::size_t k = 0; k < outcomes.size(); ++k)
+                    if (!outcomes[k].failure.empty())
+                        std::fprintf(stderr, "%s, %s: %s\n", contact.name.c_str(), names[k].c_str(),
+                                     outcomes[k].failure.c_str());
+                write_curves(folder + "/" + scene_name + "-" + contact.name + (supports ? "-support" : "-spacing") +
+                                 ".csv",
+                             names, outcomes, scene.end);
+            }
+        }
+    } catch (const sph::Error& error) {
+        std::fprintf(stderr, "couplings: %s\n", error.what());
+        return 2;
+    }
+}

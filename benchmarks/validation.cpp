@@ -1,0 +1,70 @@
+// The reference cases: scenes with numbers from outside (benchmarks/validation/, one case a file), each run at several
+// resolutions. Prints the errors and the order at which they fall, and keeps them in the table of docs/validation.md.
+//
+//   build-benchmark/benchmarks/validation couette cylinders            some of them
+//   build-benchmark/benchmarks/validation turek-hron --resolutions 4   coarse only
+//   build-benchmark/benchmarks/validation all --write docs/validation.md
+#include "validation/cavity.hpp"
+#include "validation/cylinders.hpp"
+#include "validation/elastic_baffle.hpp"
+#include "validation/elliptic_drop.hpp"
+#include "validation/oscillating_plate.hpp"
+#include "validation/plates.hpp"
+#include "validation/report.hpp"
+#include "validation/spinning_plate.hpp"
+#include "validation/square_patch.hpp"
+#include "validation/standing_wave.hpp"
+#include "validation/turek_hron.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+using namespace validation;
+
+int main(int argc, char** argv) {
+    const std::vector<Case> cases{
+        {"poiseuille", "particles across the gap", {12, 25, 50}, plates::measure_poiseuille},
+        {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
+        {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
+        {"cavity", "particles along a side", {25, 50}, cavity::measure},
+        {"standing-wave", "particles over the depth", {25, 50}, standing_wave::measure},
+        {"square-patch", "particles along a side", {25, 50}, square_patch::measure},
+        {"elliptic-drop", "particles over the radius", {12, 25, 50}, elliptic_drop::measure},
+        {"spinning-plate", "particles along a side", {10, 20}, spinning_plate::measure},
+        {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
+        {"turek-hron", "particles over the thickness", {4, 6}, turek_hron::measure},
+        {"elastic-baffle", "particles over the baffle's thickness", {6}, elastic_baffle::measure}};
+
+    std::vector<std::string> names{"all"}, chosen;
+    for (const Case& c : cases)
+        names.push_back(c.name);
+    std::string file;
+    std::vector<int> resolutions;
+    CLI::App app{"Scenes with a reference from outside: how far off they are, and how fast that falls."};
+    app.add_option("cases", chosen, "which to run, or all")->required()->check(CLI::IsMember(names));
+    app.add_option("--resolutions", resolutions, "instead of each case's own, coarse to fine")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--write", file, "the document whose table gets the rows of the cases that were run");
+    CLI11_PARSE(app, argc, argv);
+
+    try {
+        for (Case c : cases) {
+            if (std::find(chosen.begin(), chosen.end(), "all") == chosen.end() &&
+                std::find(chosen.begin(), chosen.end(), c.name) == chosen.end())
+                continue;
+            if (!resolutions.empty())
+                c.resolutions = resolutions;
+            const std::string rows = table_rows(c);
+            std::printf("%s", rows.c_str());
+            std::fflush(stdout);
+            if (!file.empty())
+                replace_rows(file, c.name, rows);
+        }
+    } catch (const imbibe::Error& error) {
+        std::fprintf(stderr, "validation: %s\n", error.what());
+        return 2;
+    }
+    return 0;
+}
