@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
         {"spinning-plate", "particles along a side", {10, 20}, spinning_plate::measure},
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
         {"turek-hron", "particles over the thickness", {4, 6}, turek_hron::measure},
-        {"elastic-baffle", "particles over the baffle's thickness", {6}, elastic_baffle::measure}};
+        {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure}};
 
     std::vector<std::string> names{"all"}, chosen;
     for (const Case& c : cases)

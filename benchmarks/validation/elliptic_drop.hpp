@@ -3,8 +3,11 @@
 // Reference: a drop of an incompressible, inviscid liquid stays an ellipse (Monaghan 1994): the half axes a, b follow
 // da/dt = -A a, dA/dt = A^2 (a^4 - b^4)/(a^4 + b^4), a b = R^2, integrated by a fourth-order method; b = 1.43922 and
 // 1.94452 m at t = 0.0038 and 0.0076 s.
-// Geometry: radius 1 m, filled from a square lattice; u = (-100 x, 100 y) /s, 1000 kg/m^3, sound 1400 m/s.
-// Scheme: Wendland C2 of 3 spacings, density diffusion, MonaghanViscosity with alpha = 0.005 against the ringing.
+// Geometry: radius 1 m, a square lattice jittered by 5 % of a spacing; u = (-100 x, 100 y) /s, 1000 kg/m^3, sound 1400
+// m/s.
+// Scheme: Wendland C2 of 3 spacings, density diffusion, shifting: the flow draws the lattice out with the drop, and on
+// a lattice that is four times as wide as high the divergence is wrong; without shifting the drop's area grows by 5 %,
+// whatever the spacing.
 // Measure: the long half axis from the second moment of the mass, which is b^2/4 in an ellipse, and from the outermost
 // particle, both as a multiple of their values at the start; the energy that is left.
 #pragma once
@@ -12,10 +15,12 @@
 #include "case.hpp"
 #include "free_surface.hpp"
 
+#include <imbibe/geometry/jitter.hpp>
+
 namespace validation::elliptic_drop {
 
 using K = sph::WendlandC2;
-struct Drop : Water<K, sph::MonaghanViscosity<K>> {};
+struct Drop : Water<K, sph::ParticleShifting<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Drop>;
 
 struct Shape {
@@ -26,11 +31,10 @@ struct Shape {
 inline std::vector<Shape> stretch(int across, const std::vector<double>& times) {
     const double spacing = 1.0 / across;
     Scene scene({.support_radius = 3 * spacing, .threads = 1});
-    Drop drop{{.density = 1000, .sound_speed = 1400}};
-    drop.set(sph::MonaghanViscosityParameters{.alpha = 0.005});
+    const Drop drop{{.density = 1000, .sound_speed = 1400}};
     auto points = sph::fill(sph::Box<2>{{-1, -1}, {1, 1}}, spacing);
     std::erase_if(points, [](const auto& x) { return x.norm() > 1; });
-    auto view = scene[scene.add(drop, points, spacing)];
+    auto view = scene[scene.add(drop, sph::jitter<2>(points, 0.05 * spacing, 1), spacing)];
     for (int i = 0; i < view.size(); ++i)
         view[sph::velocity].row(i) << -100 * view[sph::position](i, 0), 100 * view[sph::position](i, 1);
     const auto energy = [&] { return sph::kinetic_energy(view) + sph::compression_energy(view); };
