@@ -1,0 +1,203 @@
+// How long steps can be, and how far a scene can be pushed, before it goes wrong: a matrix of compositions and hard
+// cases, each bisected. Writes the tables of docs/stability.md between their markers.
+//
+//   build-benchmark/benchmarks/stability --write docs/stability.md       about ten minutes on one core
+//   build-benchmark/benchmarks/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
+//   build-benchmark/benchmarks/stability --part Limits                   a part of the tables, printed
+#include "stability/rows.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace {
+
+using namespace stability;
+
+std::string number(double x) {
+    char words[32];
+    std::snprintf(words, sizeof words, "%.2g", x);
+    return words;
+}
+std::string signs_of(const Outcome& out) {
+    std::string all;
+    for (const Sign& sign : out.signs)
+        all += (all.empty() ? "" : "; ") + sign.name + " " + number(sign.worst) + " (" + number(sign.bound) + ")";
+    return all;
+}
+
+struct Bisected {
+    double largest;
+    Outcome usual, beyond; // at the default CFL number, and at the first one that fails
+};
+
+Bisected bisect(const Row& row, double highest) {
+    Bisected result{0, row.run({.cfl = 0.4, .value = row.value}), {}};
+    double least_failed = 1e30;
+    result.largest = largest_stable(0.2, 1, highest, [&](double cfl) {
+        Outcome out = row.run({.cfl = cfl, .value = row.value});
+        if (!out.stable && cfl < least_failed) {
+            least_failed = cfl;
+            result.beyond = out;
+        }
+        return out.stable;
+    });
+    return result;
+}
+
+std::string largest_words(double largest, double highest) {
+    return largest == 0 ? "none" : largest >= highest ? "above " + number(highest) : number(largest);
+}
+
+/// Rows of one part, as a matrix of compositions and scenes and a list of what was seen.
+void write_part(std::ostream& out, const std::string& part, const std::vector<Row>& rows, double highest) {
+    std::vector<std::string> compositions, scenes;
+    std::map<std::pair<std::string, std::string>, Bisected> cells;
+    const auto note = [](std::vector<std::string>& list, const std::string& name) {
+        if (std::find(list.begin(), list.end(), name) == list.end())
+            list.push_back(name);
+    };
+    for (const Row& row : rows) {
+        note(compositions, row.composition);
+        note(scenes, row.scene);
+        const auto start = std::chrono::steady_clock::now();
+        const Bisected cell = bisect(row, highest);
+        cells[{row.composition, row.scene}] = cell;
+        std::fprintf(stderr, "%s: %s, %s: %s (%.1f s)\n", part.c_str(), row.composition.c_str(), row.scene.c_str(),
+                     largest_words(cell.largest, highest).c_str(),
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    out << "\n### " << part << "\n\n";
+    if (part != "Limits") {
+        out << "| largest stable CFL number |";
+        for (const auto& scene : scenes)
+            out << ' ' << scene << " |";
+        out << "\n|---|";
+        for (std::size_t k = 0; k < scenes.size(); ++k)
+            out << "---|";
+        for (const auto& composition : compositions) {
+            out << "\n| " << composition << " |";
+            for (const auto& scene : scenes) {
+                const auto cell = cells.find({composition, scene});
+                out << ' ' << (cell == cells.end() ? "" : largest_words(cell->second.largest, highest)) << " |";
+            }
+        }
+        out << "\n\n";
+    }
+    out << "| composition | scene | limited by | largest stable CFL number | what fails beyond | indicators at 0.4 "
+           "(bound) | energy drift at 0.4 |\n|---|---|---|---|---|---|---|\n";
+    for (const Row& row : rows) {
+        const Bisected& cell = cells[{row.composition, row.scene}];
+        out << "| " << row.composition << " | " << row.scene << " | " << cell.usual.limit << " | "
+            << largest_words(cell.largest, highest) << " | " << cell.beyond.cause << " | " << signs_of(cell.usual)
+            << " | " << number(cell.usual.energy_drift) << " |\n";
+    }
+}
+
+void write_frontiers(std::ostream& out, const std::vector<Frontier>& frontiers) {
+    out << "\n### Physical limits at the CFL number 0.4\n\n"
+           "| composition | scene | quantity | stable to | tried to | what fails beyond |\n|---|---|---|---|---|---|\n";
+    for (const Frontier& f : frontiers) {
+        Outcome beyond;
+        const bool rising = f.harsh > f.mild;
+        const auto value = [&](double x) { return rising ? f.mild * x : f.mild / x; };
+        const double most = rising ? f.harsh / f.mild : f.mild / f.harsh;
+        double least_failed = 1e30;
+        const double largest = largest_stable(1, 1, most, [&](double x) {
+            const Outcome now = f.run({.cfl = 0.4, .value = value(x)});
+            if (!now.stable && x < least_failed) {
+                least_failed = x;
+                beyond = now;
+            }
+            return now.stable;
+        });
+        const auto shown = [&](double x) {
+            char words[32];
+            std::snprintf(words, sizeof words, "%.4g", std::round(f.shown(value(x)) * 1e4) / 1e4);
+            return std::string(words);
+        };
+        std::fprintf(stderr, "%s, %s: %s\n", f.composition.c_str(), f.scene.c_str(),
+                     largest == 0 ? "none" : shown(largest).c_str());
+        out << "| " << f.composition << " | " << f.scene << " | " << f.quantity << " | "
+            << (largest == 0 ? "not even " + shown(1) : shown(largest)) << " | " << shown(most) << " | " << beyond.cause
+            << " |\n";
+    }
+}
+
+/// Puts `generated` between the markers of a file. Throws Error if it has none.
+void replace_between_markers(const std::string& path, const std::string& generated) {
+    const std::string begin = "<!-- benchmarks/stability: begin -->\n", end = "<!-- benchmarks/stability: end -->";
+    std::ifstream in(path);
+    std::stringstream all;
+    all << in.rdbuf();
+    const std::string text = all.str();
+    const auto first = text.find(begin), last = text.find(end);
+    sph::require(in.good() && first != std::string::npos && last != std::string::npos && first < last, path,
+                 ": a file with the lines '", begin.substr(0, begin.size() - 1), "' and '", end, "' is needed");
+    std::ofstream out(path);
+    out << text.substr(0, first + begin.size()) << generated << text.substr(last);
+    sph::require(out.good(), path, ": cannot be written");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::string path, composition, scene, part;
+    double cfl = 0;
+    bool trace = false;
+    CLI::App app{"Bisects how long steps can be, and how far scenes can be pushed, before they go wrong."};
+    app.add_option("--write", path, "the file whose tables are replaced; without it they are printed");
+    app.add_option("--part", part, "Fluids, Solids, Coupled, Limits or Physical only");
+    app.add_option("--composition", composition, "only this one");
+    app.add_option("--scene", scene, "only this one");
+    app.add_option("--cfl", cfl, "one run with this CFL number instead of bisecting");
+    app.add_flag("--trace", trace, "print kinetic energy and indicators over time");
+    CLI11_PARSE(app, argc, argv);
+
+    Table table;
+    add_fluids(table);
+    add_solids(table);
+    add_coupled(table);
+    add_limits(table);
+    const auto wanted = [&](const auto& row) {
+        return (composition.empty() || row.composition == composition) && (scene.empty() || row.scene == scene);
+    };
+    try {
+        if (cfl > 0) {
+            for (const Row& row : table.rows)
+                if (wanted(row) && (part.empty() || part == row.part)) {
+                    const Outcome out = row.run({.cfl = cfl, .value = row.value, .trace = trace});
+                    std::printf("%s, %s: %s%s; %lld steps, limited by %s; %s; energy drift %s\n",
+                                row.composition.c_str(), row.scene.c_str(),
+                                out.stable ? "stable" : "failed: ", out.message.c_str(), out.steps, out.limit.c_str(),
+                                signs_of(out).c_str(), number(out.energy_drift).c_str());
+                }
+            return 0;
+        }
+        std::ostringstream out;
+        for (const std::string name : {"Limits", "Fluids", "Solids", "Coupled"}) {
+            std::vector<Row> rows;
+            std::copy_if(table.rows.begin(), table.rows.end(), std::back_inserter(rows),
+                         [&](const Row& row) { return row.part == name && wanted(row); });
+            if (!rows.empty() && (part.empty() || part == name))
+                write_part(out, name, rows, 4);
+        }
+        if (part.empty() || part == "Physical") {
+            std::vector<Frontier> frontiers;
+            std::copy_if(table.frontiers.begin(), table.frontiers.end(), std::back_inserter(frontiers), wanted);
+            write_frontiers(out, frontiers);
+        }
+        if (path.empty())
+            std::cout << out.str();
+        else
+            replace_between_markers(path, out.str());
+    } catch (const sph::Error& error) {
+        std::fprintf(stderr, "stability: %s\n", error.what());
+        return 2;
+    }
+    return 0;
+}

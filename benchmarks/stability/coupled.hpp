@@ -1,0 +1,169 @@
+// Water and solid together: the coupled compositions of the gauntlet and the scenes they are tried in.
+#pragma once
+
+#include "fluids.hpp"
+#include "solids.hpp"
+
+#include <cmath>
+
+namespace stability {
+
+/// presets::SoundSponge in two dimensions.
+struct SoundCoupling {
+    static constexpr const char* name = "sound sponge";
+    using Fluid = WeaklyCompressible;
+    using Preset = sph::presets::SoundSponge;
+    using Body = Preset::Sponge;
+    using Contact = Preset::Contact;
+    static constexpr double body_support = 2, gap = 0;
+    static void set(Body&) {}
+    static void set(Contact& contact) {
+        contact.set(sph::PressureExtrapolationParameters{.suction = false});
+        contact.set(sph::KernelRepulsionParameters{.stiffness = 1e3, .range = 0.7});
+    }
+};
+
+/// The Riemann fluid on a total-Lagrangian solid.
+struct RiemannCoupling {
+    static constexpr const char* name = "Riemann on St. Venant-Kirchhoff";
+    using Fluid = Riemann;
+    using K = sph::WendlandC2;
+    using Body = Kirchhoff::Body;
+    struct Contact
+        : sph::Coupling<Fluid::Water, Body, sph::Into<Fluid::Water, sph::RiemannWallNormal<K>>,
+                        sph::RiemannWallPressure<K>, sph::Into<Fluid::Water, sph::RiemannWallContinuity<K>>> {};
+    static constexpr double body_support = 2, gap = 0;
+    static void set(Body&) {}
+    static void set(Contact& contact) { contact.set(sph::RiemannWallPressureParameters{.suction = false}); }
+};
+
+/// presets::PaperSponge in two dimensions.
+struct PaperCoupling {
+    static constexpr const char* name = "paper";
+    using Fluid = Paper;
+    using K = sph::Spiky;
+    using Body = Hypoelastic::Body;
+    struct Contact : sph::Coupling<Fluid::Water, Body, sph::VolumeContinuity<K>, sph::SymmetricPressure<K>,
+                                   Fluid::Viscosity, sph::KernelRepulsion<K>> {};
+    static constexpr double body_support = 1.25, gap = 1.25;
+    static void set(Body& body) { Hypoelastic::set(body); }
+    static void set(Contact& contact) { contact.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
+};
+
+template <class C, class Real>
+using CoupledScene = sph::Solver<2, Real, sph::SymplecticEuler, typename C::Fluid::Water, typename C::Body,
+                                 typename C::Fluid::Tank, typename C::Contact, typename C::Fluid::Sides>;
+
+template <class C, class Real>
+CoupledScene<C, Real> coupled_scene() {
+    CoupledScene<C, Real> scene({.gravity = {0, -g}, .support_radius = C::Fluid::support * dx, .threads = 1});
+    C::Fluid::set(scene.template coupling<typename C::Fluid::Sides>());
+    C::set(scene.template coupling<typename C::Contact>());
+    return scene;
+}
+template <class C, class Scene>
+auto add_body(Scene& scene, const std::vector<sph::Point<2>>& points, double E, double poisson, double density) {
+    auto body = elastic<typename C::Body>(E, poisson, density);
+    body.support_radius = C::body_support * dx;
+    C::set(body);
+    return scene.add(body, points, dx);
+}
+
+/// A block of water falls with `value` m/s on a plate that is held at both ends.
+template <class C, class Real = double>
+Outcome water_on_plate(const Plan& plan) {
+    const double v = plan.value, c = 30;
+    auto scene = coupled_scene<C, Real>();
+    const auto plate = add_body<C>(scene, sph::fill(sph::Box<2>{{-15 * dx, -5 * dx}, {15 * dx, 0}}, dx), 1e6, 0.3, 950);
+    scene.hold(plate, [](const auto& x) { return std::abs(x[0]) > 12 * dx; });
+    auto block = sph::fill(sph::Box<2>{{-5 * dx, 0}, {5 * dx, 10 * dx}}, dx);
+    for (auto& x : block)
+        x[1] += (C::gap + 1) * dx;
+    const auto water = add_water<typename C::Fluid>(scene, block, c);
+    scene[water][sph::velocity].col(1).setConstant(static_cast<Real>(-v));
+    const Watch<2> watch{.end = 15 * dx / v,
+                         .guard = {.energy = 0.05},
+                         .signs = {{"particles inside the plate", 0.5}},
+                         .expected_steps = 15 * c / v};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const auto w = s[water][sph::position], p = s[plate][sph::position];
+        int inside = 0; // between two particles of the plate, one above and one below it
+        for (Eigen::Index i = 0; i < w.rows(); ++i) {
+            bool above = false, below = false;
+            for (Eigen::Index j = 0; j < p.rows(); ++j)
+                if (std::abs(static_cast<double>(p(j, 0) - w(i, 0))) < 0.6 * dx) {
+                    above = above || p(j, 1) > w(i, 1) + static_cast<Real>(0.3 * dx);
+                    below = below || p(j, 1) < w(i, 1);
+                }
+            inside += above && below;
+        }
+        return std::vector{static_cast<double>(inside)};
+    });
+}
+
+/// Water and a block beside it, in free fall: nothing may move against anything else, and no pressure arise. Row 21.
+/// Terms that take the hydrostatic part out of a difference (DensityDiffusion, RiemannContinuity) know gravity and not
+/// that the water falls: they build up the pressure of still water.
+template <class C, class Real = double>
+Outcome free_fall(const Plan& plan) {
+    auto scene = coupled_scene<C, Real>();
+    const auto water = add_water<typename C::Fluid>(scene, sph::fill(sph::Box<2>{{0, 0}, {8 * dx, 8 * dx}}, dx), 30);
+    const auto block = add_body<C>(scene, sph::fill(sph::Box<2>{{12 * dx, 0}, {18 * dx, 6 * dx}}, dx), 1e6, 0.3, 950);
+    const double end = 0.02;
+    const Watch<2> watch{
+        .end = end,
+        .signs = {{"relative speed over that of the fall", 0.01}, {"pressure over that of still water", 1}},
+        .expected_steps = end * 50 / dx};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const auto w = s[water][sph::velocity], b = s[block][sph::velocity];
+        const auto first = b.row(0).eval();
+        const Real apart =
+            std::max((w.rowwise() - first).cwiseAbs().maxCoeff(), (b.rowwise() - first).cwiseAbs().maxCoeff());
+        const Real pressed = s.steps() > 0 ? s[water][sph::pressure].cwiseAbs().maxCoeff() : Real(0);
+        return std::vector{static_cast<double>(apart) / (g * end), static_cast<double>(pressed) / (1000 * g * 8 * dx)};
+    });
+}
+
+/// A block that is `value` times as heavy as water is let go on a pool. Row 8: what it has to push is its added mass.
+template <class C, class Real = double>
+Outcome light_block(const Plan& plan) {
+    constexpr double wide = 20, deep = 8, off = C::gap * dx, inner = wide * dx + 2 * off, surface = deep * dx + off;
+    const double c = 10 * std::sqrt(2 * g * deep * dx), unit = std::sqrt(deep * dx / g);
+    auto scene = coupled_scene<C, Real>();
+    const auto water = add_water<typename C::Fluid>(scene, pool<typename C::Fluid>(wide, deep), c);
+    (void)water;
+    add_tank<typename C::Fluid>(scene, sph::Box<2>{{0, 0}, {inner, inner}}, c);
+    auto points = sph::fill(sph::Box<2>{{0, 0}, {8 * dx, 4 * dx}}, dx);
+    for (auto& x : points)
+        x += sph::Point<2>(inner / 2 - 4 * dx, surface + off);
+    const double density = 1000 * plan.value;
+    const auto block = add_body<C>(scene, points, 2e4, 0.3, density);
+    double before = 0, push = 0, change = 0; // momentum, its rate, the change of the rate
+    double time = 0;
+    int flips = 0, looks = 0;
+    const double end = 3 * unit;
+    const double c_body = scene[block].material().longitudinal_wave_speed();
+    const Watch<2> watch{.end = end,
+                         .guard = {},
+                         .signs = {{"speed of the block over that of waves", 3},
+                                   {"share of steps in which the push changes its course", 0.9}},
+                         .every = 1,
+                         .expected_steps = end * std::max(c, c_body) / dx};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const double now = sph::momentum(s[block])[1];
+        if (s.time() > time) {
+            const double push_now = (now - before) / (s.time() - time), change_now = push_now - push;
+            flips += change_now * change < 0;
+            ++looks;
+            push = push_now;
+            change = change_now;
+            before = now;
+            time = s.time();
+        }
+        const double mass = density * 32 * dx * dx;
+        return std::vector{std::abs(now) / mass / std::sqrt(g * deep * dx),
+                           looks > 50 ? static_cast<double>(flips) / looks : 0};
+    });
+}
+
+} // namespace stability

@@ -1,0 +1,32 @@
+// The coupled scenes of the table.
+#include "coupled.hpp"
+#include "rows.hpp"
+
+namespace stability {
+namespace {
+
+template <class C, class Real = double>
+void add(Table& table, const std::string& name) {
+    const auto row = [&](const char* scene, auto run, double value) {
+        table.rows.push_back({"Coupled", name, scene, value, run});
+    };
+    row("water on a plate, 1 m/s", water_on_plate<C, Real>, 1);
+    row("block as heavy as water", light_block<C, Real>, 1);
+    row("block of a tenth", light_block<C, Real>, 0.1);
+    table.frontiers.push_back({name, "block on a pool", "density / that of water", 1, 0.05, light_block<C, Real>});
+    table.frontiers.push_back({name, "water on a plate", "speed / c", 0.01, 0.5, [](Plan plan) {
+                                   plan.value *= 30; // m/s
+                                   return water_on_plate<C, Real>(plan);
+                               }});
+}
+
+} // namespace
+
+void add_coupled(Table& table) {
+    add<SoundCoupling>(table, SoundCoupling::name);
+    add<SoundCoupling, float>(table, sph::text(SoundCoupling::name, ", float"));
+    add<RiemannCoupling>(table, RiemannCoupling::name);
+    add<PaperCoupling>(table, PaperCoupling::name);
+}
+
+} // namespace stability

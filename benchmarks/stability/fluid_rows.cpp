@@ -1,0 +1,32 @@
+// The fluids of the table.
+#include "fluids.hpp"
+#include "rows.hpp"
+
+namespace stability {
+namespace {
+
+template <class F, class Real = double>
+void add(Table& table, const std::string& name) {
+    const auto row = [&](const char* scene, auto run, double value = 0) {
+        table.rows.push_back({"Fluids", name, scene, value, run});
+    };
+    row("shaken box", shaken_water<F, Real>);
+    row("still water", still_water<F, Real>);
+    row("impact at 0.05 c", impact<F, Real>, 0.05);
+    row("spinning square, clumps", spinning_square<F, Real, false>);
+    row("spinning square, voids", spinning_square<F, Real, true>);
+    row("splash", splash<F, Real>);
+    table.frontiers.push_back({name, "impact", "speed / c", 0.02, 1, impact<F, Real>});
+}
+
+} // namespace
+
+void add_fluids(Table& table) {
+    add<WeaklyCompressible>(table, WeaklyCompressible::name);
+    add<WeaklyCompressible, float>(table, sph::text(WeaklyCompressible::name, ", float"));
+    add<DamBreak>(table, DamBreak::name);
+    add<Riemann>(table, Riemann::name);
+    add<Paper>(table, Paper::name);
+}
+
+} // namespace stability

@@ -1,0 +1,225 @@
+// The fluids of the gauntlet, each with its walls, and the scenes they are tried in.
+//
+// All are in two dimensions, with the spacing and the walls of the paper's water. Speeds are given in sound speeds.
+#pragma once
+
+#include "march.hpp"
+#include "signs.hpp"
+
+#include <imbibe/fluid/riemann.hpp>
+#include <imbibe/geometry/box.hpp>
+#include <imbibe/geometry/fill.hpp>
+#include <imbibe/geometry/jitter.hpp>
+#include <imbibe/geometry/tank.hpp>
+#include <imbibe/presets/sponge.hpp>
+#include <imbibe/wall/riemann_wall.hpp>
+
+namespace stability {
+
+inline constexpr double dx = 0.8e-3, g = 9.81; // m, m/s^2
+
+/// Weakly compressible water, as in presets::SoundSponge.
+struct WeaklyCompressible {
+    static constexpr const char* name = "weakly compressible";
+    static constexpr double support = 2.6, gap = 0; // H and the distance of water from a wall, in spacings
+    using Water = sph::presets::SoundSponge::Water;
+    using Tank = sph::presets::SoundSponge::Vessel;
+    using Sides = sph::presets::SoundSponge::Sides;
+    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02}); }
+    static void set(Sides& sides) {
+        sides.set(sph::PressureExtrapolationParameters{.suction = false});
+        sides.set(sph::KernelRepulsionParameters{.stiffness = 1e3, .range = 0.8});
+    }
+};
+
+/// The water of the dam break in the README: stiffer state, no floor under the density.
+struct DamBreak {
+    static constexpr const char* name = "README's dam break";
+    static constexpr double support = 2.6, gap = 0;
+    using K = sph::WendlandC2;
+    struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
+                              sph::MonaghanViscosity<K>> {};
+    struct Tank : sph::Wall<> {};
+    struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                                 sph::Into<Water, sph::VolumeContinuity<K>>> {};
+    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02}); }
+    static void set(Sides&) {}
+};
+
+/// Riemann problems between particles and at the wall.
+struct Riemann {
+    static constexpr const char* name = "Riemann";
+    static constexpr double support = 3, gap = 0;
+    using K = sph::WendlandC2;
+    struct Water : sph::Fluid<sph::LinearState, sph::RiemannContinuity<K>, sph::RiemannPressure<K>, sph::DensityFloor> {
+    };
+    struct Tank : sph::Wall<> {};
+    struct Sides : sph::Coupling<Water, Tank, sph::Into<Water, sph::RiemannWallNormal<K>>, sph::RiemannWallPressure<K>,
+                                 sph::Into<Water, sph::RiemannWallContinuity<K>>> {};
+    static void set(Water&) {}
+    static void set(Sides& sides) { sides.set(sph::RiemannWallPressureParameters{.suction = false}); }
+};
+
+/// The paper's water and walls, as in presets::PaperSponge, with the kernel of its viscosity in two dimensions.
+struct Paper {
+    static constexpr const char* name = "paper";
+    static constexpr double support = 1.25, gap = 1.25;
+    using K = sph::Spiky;
+    using Viscosity = sph::LaminarViscosity<sph::ViscosityKernel2D>;
+    struct Water : sph::Fluid<sph::Tait<7>, sph::Continuity<K>, sph::SymmetricPressure<K>, Viscosity> {};
+    struct Tank : sph::Wall<sph::Tait<7>> {};
+    struct Sides : sph::Coupling<Water, Tank, sph::VolumeContinuity<K>, sph::SymmetricPressure<K>, Viscosity,
+                                 sph::KernelRepulsion<K>> {};
+    static void set(Water& water) { water.viscosity = 3.5e-3; }
+    static void set(Sides& sides) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
+};
+
+template <class F, class Real>
+using FluidScene = sph::Solver<2, Real, sph::SymplecticEuler, typename F::Water, typename F::Tank, typename F::Sides>;
+
+/// A scene of fluid F that is empty so far.
+template <class F, class Real>
+FluidScene<F, Real> fluid_scene(double gravity, std::array<double, 2> period = {0, 0}) {
+    FluidScene<F, Real> scene(
+        {.gravity = {0, -gravity}, .support_radius = F::support * dx, .periodic_length = period, .threads = 1});
+    F::set(scene.template coupling<typename F::Sides>());
+    return scene;
+}
+template <class F, class Scene>
+auto add_water(Scene& scene, const std::vector<sph::Point<2>>& points, double c) {
+    typename F::Water water{{.density = 1000, .sound_speed = c}};
+    F::set(water);
+    return scene.add(water, points, dx);
+}
+template <class F, class Scene>
+void add_tank(Scene& scene, const sph::Box<2>& inside, double c, sph::Sides open = sph::Sides::y_high) {
+    typename F::Tank tank{{.density = 1000}};
+    tank.sound_speed = c;
+    scene.add(tank, sph::tank(inside, dx, 3, open), dx);
+}
+/// Water that fills `wide` by `high` spacings from the lower left corner of a tank.
+template <class F>
+std::vector<sph::Point<2>> pool(double wide, double high) {
+    const double off = F::gap * dx;
+    return sph::fill(sph::Box<2>{{off, off}, {off + wide * dx, off + high * dx}}, dx);
+}
+
+/// The shortest waves: a periodic square of water, shaken particle by particle.
+template <class F, class Real = double>
+Outcome shaken_water(const Plan& plan) {
+    const double c = 30;
+    auto scene = fluid_scene<F, Real>(0, {16 * dx, 16 * dx});
+    const auto water = add_water<F>(scene, sph::fill(sph::Box<2>{{0, 0}, {16 * dx, 16 * dx}}, dx), c);
+    shake(scene[water], 1e-3 * c);
+    Growth growth;
+    const Watch<2> watch{.end = 400 * dx / c,
+                         .guard = {.energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"kinetic energy over that at the start", 4}},
+                         .expected_steps = 400};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[water])}; });
+}
+
+/// Water that is let go in a tank without pressure and comes to rest, for `value` times sqrt(depth/g) (0: 6 of them,
+/// some 3400 steps). Rows 5 and 20.
+template <class F, class Real = double>
+Outcome still_water(const Plan& plan) {
+    constexpr double wide = 16, depth = wide * dx;
+    const double c = 10 * std::sqrt(2 * g * depth), weight = wide * dx * depth * 1000 * g, unit = std::sqrt(depth / g);
+    auto scene = fluid_scene<F, Real>(g);
+    const auto water = add_water<F>(scene, pool<F>(wide, wide), c);
+    const double inner = (wide + 2 * F::gap) * dx;
+    add_tank<F>(scene, sph::Box<2>{{0, 0}, {inner, 1.5 * inner}}, c);
+    // What is set free is weight depth/600 where the column bears itself, and the fall to the walls where there is a
+    // gap.
+    const double fall = F::gap * dx;
+    const double released = weight * (depth / 600 + fall);
+    const double end = (plan.value > 0 ? plan.value : 6) * unit;
+    const Watch<2> watch{.end = end,
+                         .guard = {.energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"alternating pressure over that at the bottom", 0.2},
+                                   {"kinetic energy over what is set free", 1},
+                                   {"way into the wall, spacings", 1}},
+                         .every = 50,
+                         .expected_steps = end * c / dx};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const bool settled = s.time() > 3 * unit;
+        return std::vector{settled ? alternating(s[water], sph::pressure) / (1000 * g * depth) : 0,
+                           settled ? sph::kinetic_energy(s[water]) / released : 0, way_into_wall(s[water], inner)};
+    });
+}
+
+/// A block of water that is thrown on a floor, at `value` sound speeds. Row 7.
+template <class F, class Real = double>
+Outcome impact(const Plan& plan) {
+    const double c = 30, v = plan.value * c;
+    auto scene = fluid_scene<F, Real>(0);
+    std::vector<sph::Point<2>> block = sph::fill(sph::Box<2>{{-6 * dx, 0}, {6 * dx, 12 * dx}}, dx);
+    for (auto& x : block)
+        x[1] += (F::gap + 1) * dx;
+    const auto water = add_water<F>(scene, block, c);
+    add_tank<F>(scene, sph::Box<2>{{-30 * dx, 0}, {30 * dx, 10 * dx}}, c, sph::Sides::x | sph::Sides::y_high);
+    scene[water][sph::velocity].col(1).setConstant(static_cast<Real>(-v));
+    const Watch<2> watch{
+        .end = 6 * dx / v,
+        .guard = {.energy = 0.05},
+        .signs = {{"spacings over the least distance of a pair", 5}, {"way into the wall, spacings", 1}},
+        .expected_steps = 6 * c / v};
+    return march(scene, plan, watch, [&](const auto& s) {
+        return std::vector{1 / closest_pair(s[water]), way_into_wall(s[water], 30 * dx)};
+    });
+}
+
+/// A square of water that spins: tension in its middle. Row 1: do particles clump? Row 6: does a void open?
+template <class F, class Real = double, bool voids = false>
+Outcome spinning_square(const Plan& plan) {
+    constexpr double side = 20 * dx;
+    const double c = 30, omega = 0.1 * c / side;
+    auto scene = fluid_scene<F, Real>(0);
+    const auto water = add_water<F>(scene, sph::fill(sph::Box<2>{{-side / 2, -side / 2}, {side / 2, side / 2}}, dx), c);
+    auto view = scene[water];
+    for (int i = 0; i < view.size(); ++i) {
+        const Real x = view[sph::position](i, 0), y = view[sph::position](i, 1);
+        view[sph::velocity].row(i) << static_cast<Real>(omega) * y, -static_cast<Real>(omega) * x;
+    }
+    const Watch<2> watch{
+        .end = 1.5 / omega,
+        .guard = {},
+        .signs = {{voids ? "void in the middle (1 - concentration)" : "spacings over the least distance of a pair",
+                   voids ? 0.25 : 4}},
+        .every = 20,
+        .expected_steps = 1.5 / omega * c / dx};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const auto inside = [](const auto& x) { return x.squaredNorm() < static_cast<Real>(sph::sq(side / 4)); };
+        return std::vector{voids ? 1 - least_concentration(s[water], inside) : 1 / closest_pair(s[water])};
+    });
+}
+
+/// A drop falls into a pool and throws single particles up. Row 19.
+template <class F, class Real = double>
+Outcome splash(const Plan& plan) {
+    constexpr double wide = 24, deep = 8, height = 12 * dx;
+    const double v = 1, c = 10 * v, inner = (wide + 2 * F::gap) * dx, surface = (deep + F::gap) * dx;
+    auto scene = fluid_scene<F, Real>(g);
+    auto points = pool<F>(wide, deep);
+    for (auto x : sph::fill(sph::Box<2>{{0, 0}, {6 * dx, 6 * dx}}, dx)) {
+        x += sph::Point<2>(inner / 2 - 2.7 * dx, surface + height);
+        points.push_back(x);
+    }
+    const auto water = add_water<F>(scene, points, c);
+    add_tank<F>(scene, sph::Box<2>{{0, 0}, {inner, 3 * inner}}, c);
+    auto view = scene[water];
+    for (int i = 0; i < view.size(); ++i)
+        if (view[sph::position](i, 1) > static_cast<Real>(surface + height / 2))
+            view[sph::velocity](i, 1) = static_cast<Real>(-v);
+    const Watch<2> watch{.end = 6 * height / v,
+                         .guard = {.energy = 0.05},
+                         .signs = {{"greatest speed over that of the fall", 3}, {"way into the wall, spacings", 1}},
+                         .expected_steps = 6 * height / v * c / dx};
+    return march(scene, plan, watch, [&](const auto& s) {
+        return std::vector{std::sqrt(static_cast<double>(s[water][sph::velocity].rowwise().squaredNorm().maxCoeff())) /
+                               v,
+                           way_into_wall(s[water], inner)};
+    });
+}
+
+} // namespace stability

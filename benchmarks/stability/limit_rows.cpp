@@ -1,0 +1,77 @@
+// One row for every reason that limits a time step.
+#include "limits.hpp"
+#include "rows.hpp"
+
+namespace stability {
+
+void add_limits(Table& table) {
+    const auto row = [&](const char* composition, const char* scene, std::function<Outcome(const Plan&)> run) {
+        table.rows.push_back({"Limits", composition, scene, 0, std::move(run)});
+    };
+    row("LinearState, WendlandC2, H = 2.6", "shaken box",
+        [](const Plan& p) { return shaken_box(p, liquid<Sound>(), 2.6); });
+    row("LinearState, WendlandC2, H = 3", "shaken box",
+        [](const Plan& p) { return shaken_box(p, liquid<Sound>(), 3); });
+    row("LinearState, WendlandC2, H = 2.6", "shaken box in 3D",
+        [](const Plan& p) { return shaken_box<Sound, 3>(p, liquid<Sound>(), 2.6); });
+    row("Tait<7>, Spiky, H = 1.25", "shaken box", shaken_water<Paper>);
+    row("DensityDiffusion, delta = 1", "shaken box", [](const Plan& p) {
+        auto water = liquid<Diffusing>();
+        water.set(sph::DensityDiffusionParameters{.delta = 1});
+        return shaken_box(p, water, 2.6);
+    });
+    row("MorrisViscosity", "shaken box", [](const Plan& p) { return shaken_box(p, liquid<Morris>(200), 2.6); });
+    row("ClearyViscosity", "shaken box", [](const Plan& p) { return shaken_box(p, liquid<Cleary>(200), 2.6); });
+    row("LaminarViscosity, H = 1.25", "shaken box",
+        [](const Plan& p) { return shaken_box(p, liquid<Laminar>(200), 1.25); });
+    row("LaminarViscosity, H = 2.6", "shaken box",
+        [](const Plan& p) { return shaken_box(p, liquid<Laminar>(200), 2.6); });
+    row("MonaghanViscosity, alpha = 10", "shaken box", [](const Plan& p) {
+        auto water = liquid<Monaghan>();
+        water.set(sph::MonaghanViscosityParameters{.alpha = 10, .beta = 0});
+        return shaken_box(p, water, 2.6);
+    });
+    row("RiemannContinuity", "shaken box", shaken_water<Riemann>);
+    row("RiemannPressure, eta = 1e6", "shaken box", [](const Plan& p) {
+        auto water = liquid<Waves>();
+        water.set(sph::RiemannPressureParameters{.eta = 1e6});
+        return shaken_box(p, water, 3);
+    });
+    const auto repelled = [&](const char* name, double stiffness, double support) {
+        row(name, "particles between two plates", [stiffness, support](const Plan& p) {
+            return bounce<sph::KernelRepulsion<>>(p, support, sph::KernelRepulsionParameters{.stiffness = stiffness});
+        });
+    };
+    repelled("KernelRepulsion, K_f = 1e8, H = 1.25", 1e8, 1.25);
+    repelled("KernelRepulsion, K_f = 1e6, H = 1.25", 1e6, 1.25);
+    repelled("KernelRepulsion, K_f = 1e8, H = 2", 1e8, 2);
+    row("ModifiedRepulsion, U = 20", "particles between two plates", [](const Plan& p) {
+        return bounce<sph::ModifiedRepulsion>(p, 1.25, sph::ModifiedRepulsionParameters{.speed = 20, .restitution = 1});
+    });
+
+    using Kirchhoff2 = Kirchhoff::Body;
+    row("StVenantKirchhoff, nu 0.3, H = 2", "shaken block",
+        [](const Plan& p) { return shaken_block<2, Kirchhoff2>(p, 0.3, 2.01); });
+    row("StVenantKirchhoff, nu 0.3, H = 1.5", "shaken block",
+        [](const Plan& p) { return shaken_block<2, Kirchhoff2>(p, 0.3, 1.5); });
+    row("StVenantKirchhoff, nu 0.3, H = 2", "shaken block in 3D",
+        [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.3, 2.01); });
+    row("StVenantKirchhoff, nu 0.499, H = 2", "shaken block in 3D",
+        [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.499, 2.01); });
+    row("StVenantKirchhoff, nu 0.3, H = 1.5", "shaken block in 3D",
+        [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.3, 1.5); });
+    row("HourglassControl, alpha = 20", "shaken block", [](const Plan& p) {
+        return shaken_block<2, Kirchhoff2>(p, 0.3, 2.01, sph::HourglassControlParameters{.alpha = 20});
+    });
+    row("HourglassControl, alpha = 20", "shaken block in 3D", [](const Plan& p) {
+        return shaken_block<3, Kirchhoff2>(p, 0.3, 2.01, sph::HourglassControlParameters{.alpha = 20});
+    });
+    row("TotalLagrangianViscosity, alpha = 20", "shaken block", [](const Plan& p) {
+        return shaken_block<2, Kirchhoff2>(p, 0.3, 2.01, sph::TotalLagrangianViscosityParameters{.alpha = 20});
+    });
+    row("paper's hypoelastic, nu 0.3", "shaken block",
+        [](const Plan& p) { return shaken_block<2, Hypoelastic::Body>(p, 0.3, 2); });
+    row("a spring to the origin", "one particle, let go a spacing away", swing);
+}
+
+} // namespace stability

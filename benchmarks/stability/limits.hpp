@@ -1,0 +1,122 @@
+// One scene for every reason that limits a time step: the reason is the only one, or by far the shortest.
+#pragma once
+
+#include "fluids.hpp"
+#include "solids.hpp"
+
+#include <imbibe/coupling/modified_repulsion.hpp>
+#include <imbibe/fluid/cleary_viscosity.hpp>
+
+namespace stability {
+
+/// A periodic square (cube) of a material, shaken particle by particle in velocity and density.
+/// @param support H in spacings
+template <class Phase, int dim = 2>
+Outcome shaken_box(const Plan& plan, Phase material, double support) {
+    constexpr int across = dim == 2 ? 16 : 8;
+    constexpr double length = across * dx;
+    using Scene = sph::Solver<dim, double, sph::SymplecticEuler, Phase>;
+    sph::Settings<dim> settings{.support_radius = support * dx, .threads = 1};
+    settings.periodic_length.fill(length);
+    Scene scene(settings);
+    const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(length);
+    const auto phase = scene.add(material, sph::fill(sph::Box<dim>{lower, upper}, dx), dx);
+    shake(scene[phase], 1e-4 * material.sound_speed);
+    Growth growth;
+    scene.prepare();
+    const double limit = scene.time_step_limits().front().seconds;
+    const Watch<dim> watch{.end = 400 * limit,
+                           .guard = {.energy = std::numeric_limits<double>::infinity()},
+                           .signs = {{"kinetic energy over that at the start", 4}},
+                           .expected_steps = 400};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[phase])}; });
+}
+
+using C2 = sph::WendlandC2;
+template <class... Terms>
+using Liquid = sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>, Terms...>;
+struct Sound : Liquid<> {};
+struct Diffusing : Liquid<sph::DensityDiffusion<C2>> {};
+struct Morris : Liquid<sph::MorrisViscosity<C2>> {};
+struct Cleary : Liquid<sph::ClearyViscosity<C2>> {};
+struct Laminar : Liquid<sph::LaminarViscosity<sph::ViscosityKernel2D>> {};
+struct Monaghan : Liquid<sph::MonaghanViscosity<C2>> {};
+struct Waves : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::RiemannPressure<C2>> {};
+
+template <class Phase>
+Phase liquid(double viscosity = 0) {
+    return Phase{{.density = 1000, .sound_speed = 30, .viscosity = viscosity}};
+}
+
+/// A free block of a total-Lagrangian solid with parameters of choice, shaken.
+template <int dim, class Body, class... Parameters>
+Outcome shaken_block(const Plan& plan, double poisson, double support, const Parameters&... parameters) {
+    constexpr double spacing = 1e-2;
+    sph::Solver<dim, double, sph::SymplecticEuler, Body> scene({.support_radius = support * spacing, .threads = 1});
+    auto body = elastic<Body>(young, poisson, rho);
+    (body.set(parameters), ...);
+    const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(dim == 2 ? 0.12 : 0.06);
+    const auto block = scene.add(body, sph::fill(sph::Box<dim>{lower, upper}, spacing), spacing);
+    shake(scene[block], 1e-4 * body.longitudinal_wave_speed());
+    Growth growth;
+    scene.prepare();
+    const double limit = scene.time_step_limits().front().seconds;
+    const Watch<dim> watch{.end = 400 * limit,
+                           .guard = {.energy = std::numeric_limits<double>::infinity()},
+                           .signs = {{"kinetic energy over that at the start", 4}},
+                           .expected_steps = 400};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[block])}; });
+}
+
+struct Floor : sph::Wall<> {};
+struct Stones : sph::Fluid<> {};
+template <class Repulsion>
+struct Bounce : sph::Coupling<Stones, Floor, Repulsion> {};
+/// A row of particles that see each other not at all falls on a floor of particles, with 1 m/s, and bounces between
+/// it and a lid: a repulsion alone. Where its steps are too long, energy comes in.
+template <class Repulsion, class... Parameters>
+Outcome bounce(const Plan& plan, double support, const Parameters&... parameters) {
+    sph::Solver<2, double, sph::SymplecticEuler, Stones, Floor, Bounce<Repulsion>> scene(
+        {.support_radius = support * dx, .threads = 1});
+    std::vector<sph::Point<2>> stones, floor;
+    for (int k = 0; k < 12; ++k) // further apart than they can see, each above another place of the floor
+        stones.push_back({(0.3 + 4.07 * k) * dx, 3 * dx});
+    for (int k = -3; k < 52; ++k)
+        for (const double y : {0.0, 6.0})
+            floor.push_back({k * dx, y * dx});
+    (scene.template coupling<Bounce<Repulsion>>().set(parameters), ...);
+    const auto row = scene.add(Stones{{.density = 1000, .sound_speed = 30}}, stones, dx);
+    scene.add(Floor{{.density = 1000}}, floor, dx);
+    scene[row][sph::velocity].col(1).setConstant(-1);
+    Growth growth;
+    const Watch<2> watch{.end = 60 * dx,
+                         .guard = {.energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"kinetic energy over that at the start", 1.5}},
+                         .every = 1};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[row])}; });
+}
+
+/// dv_a/dt = - k x_a: a spring to the origin.
+struct Spring {
+    static constexpr double k = 1e6; // 1/s^2
+    using reads = sph::Fields<sph::position>;
+    using adds = sph::Fields<sph::acceleration>;
+    constexpr auto operator()(const auto& a) const { return -k * a[sph::position]; }
+};
+struct Swinging : sph::Fluid<Spring> {};
+
+/// One particle on a spring, let go a spacing away: the only limit is that on the acceleration.
+inline Outcome swing(const Plan& plan) {
+    sph::Solver<2, double, sph::SymplecticEuler, Swinging> scene({.support_radius = dx, .threads = 1});
+    const auto one = scene.add(Swinging{{.density = 1000, .sound_speed = 1}}, {{dx, 0}}, dx);
+    const double most = std::sqrt(Spring::k) * dx; // its greatest speed, were the steps short
+    scene.step(1e-9);                              // from here on there is an acceleration to limit the steps
+    const Watch<2> watch{.end = 100 / std::sqrt(Spring::k),
+                         .guard = {.speed = 1e6, .energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"speed over that of the exact swing", 4}},
+                         .every = 1};
+    return march(scene, plan, watch,
+                 [&](const auto& s) { return std::vector{s[one][sph::velocity].row(0).norm() / most}; });
+}
+
+} // namespace stability

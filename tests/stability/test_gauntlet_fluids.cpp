@@ -1,0 +1,36 @@
+// Hard cases of fluids, short. The scenes are those of benchmarks/stability, which bisects how much harder they may be.
+#include "margins.hpp"
+#include "stability/fluids.hpp"
+
+using namespace gauntlet;
+using stability::Riemann;
+using stability::WeaklyCompressible;
+
+TEST_CASE("Water shaken particle by particle comes to rest", "[stability]") {
+    check_margin(stability::shaken_water<WeaklyCompressible>);
+    check_margin(stability::shaken_water<Riemann>);
+}
+
+TEST_CASE("Still water stays still, with a smooth pressure", "[stability]") { // rows 5 and 20
+    check_margin(stability::still_water<WeaklyCompressible>);
+    check_margin(stability::still_water<Riemann>);
+}
+
+TEST_CASE("A block of water hits a floor", "[stability]") { // row 7
+    check_margin(stability::impact<Riemann>, 0.1);
+}
+
+TEST_CASE("A spinning square of water stays free of clumps", "[stability]") { // row 1
+    check_margin(stability::spinning_square<WeaklyCompressible>);
+}
+
+TEST_CASE("A drop splashes into a pool", "[stability]") { // row 19
+    check_margin(stability::splash<WeaklyCompressible>);
+    check_margin(stability::splash<Riemann>);
+}
+
+TEST_CASE("Steps of 5 and 20 times the limit of a fluid are noticed", "[stability]") { // row 13
+    check_noticed(stability::splash<WeaklyCompressible>);
+    check_noticed(stability::splash<Riemann>);
+    check_noticed(stability::impact<Riemann>, 0.1);
+}
