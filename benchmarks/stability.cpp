@@ -53,6 +53,11 @@ std::string largest_words(double largest, double highest) {
     return largest == 0 ? "none" : largest >= highest ? "above " + number(highest) : number(largest);
 }
 
+/// The bisection takes it that shorter steps do no worse; where the default step says otherwise, that is said.
+std::string largest_words(const Bisected& cell, double highest) {
+    return largest_words(cell.largest, highest) + (cell.largest > 0.4 && !cell.usual.stable ? ", but not 0.4" : "");
+}
+
 /// Rows of one part, as a matrix of compositions and scenes and a list of what was seen.
 void write_part(std::ostream& out, const std::string& part, const std::vector<Row>& rows, double highest) {
     std::vector<std::string> compositions, scenes;
@@ -83,7 +88,7 @@ void write_part(std::ostream& out, const std::string& part, const std::vector<Ro
             out << "\n| " << composition << " |";
             for (const auto& scene : scenes) {
                 const auto cell = cells.find({composition, scene});
-                out << ' ' << (cell == cells.end() ? "" : largest_words(cell->second.largest, highest)) << " |";
+                out << ' ' << (cell == cells.end() ? "" : largest_words(cell->second, highest)) << " |";
             }
         }
         out << "\n\n";
@@ -93,8 +98,8 @@ void write_part(std::ostream& out, const std::string& part, const std::vector<Ro
     for (const Row& row : rows) {
         const Bisected& cell = cells[{row.composition, row.scene}];
         out << "| " << row.composition << " | " << row.scene << " | " << cell.usual.limit << " | "
-            << largest_words(cell.largest, highest) << " | " << cell.beyond.cause << " | " << signs_of(cell.usual)
-            << " | " << number(cell.usual.energy_drift) << " |\n";
+            << largest_words(cell, highest) << " | " << cell.beyond.cause << " | " << signs_of(cell.usual) << " | "
+            << number(cell.usual.energy_drift) << " |\n";
     }
 }
 
