@@ -1,7 +1,7 @@
 // How long steps can be, and how far a scene can be pushed, before it goes wrong: a matrix of compositions and hard
 // cases, each bisected. Writes the tables of docs/stability.md between their markers.
 //
-//   build-benchmark/benchmarks/stability --write docs/stability.md       about ten minutes on one core
+//   build-benchmark/benchmarks/stability --write docs/stability.md       about a quarter of an hour on one core
 //   build-benchmark/benchmarks/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
 //   build-benchmark/benchmarks/stability --part Limits                   a part of the tables, printed
 #include "stability/rows.hpp"
@@ -28,6 +28,10 @@ std::string signs_of(const Outcome& out) {
     for (const Sign& sign : out.signs)
         all += (all.empty() ? "" : "; ") + sign.name + " " + number(sign.worst) + " (" + number(sign.bound) + ")";
     return all;
+}
+
+std::string drift_of(const Outcome& out) {
+    return std::isnan(out.energy_drift) ? "not known" : number(out.energy_drift);
 }
 
 struct Bisected {
@@ -99,7 +103,7 @@ void write_part(std::ostream& out, const std::string& part, const std::vector<Ro
         const Bisected& cell = cells[{row.composition, row.scene}];
         out << "| " << row.composition << " | " << row.scene << " | " << cell.usual.limit << " | "
             << largest_words(cell, highest) << " | " << cell.beyond.cause << " | " << signs_of(cell.usual) << " | "
-            << number(cell.usual.energy_drift) << " |\n";
+            << drift_of(cell.usual) << " |\n";
     }
 }
 
@@ -163,6 +167,10 @@ int main(int argc, char** argv) {
     app.add_flag("--trace", trace, "print kinetic energy and indicators over time");
     CLI11_PARSE(app, argc, argv);
 
+    if (!path.empty() && (!part.empty() || !composition.empty() || !scene.empty() || cfl > 0)) {
+        std::fprintf(stderr, "stability: --write replaces all tables, so it goes with no choice of some of them\n");
+        return 2;
+    }
     Table table;
     add_fluids(table);
     add_solids(table);
@@ -179,7 +187,7 @@ int main(int argc, char** argv) {
                     std::printf("%s, %s: %s%s; %lld steps, limited by %s; %s; energy drift %s\n",
                                 row.composition.c_str(), row.scene.c_str(),
                                 out.stable ? "stable" : "failed: ", out.message.c_str(), out.steps, out.limit.c_str(),
-                                signs_of(out).c_str(), number(out.energy_drift).c_str());
+                                signs_of(out).c_str(), drift_of(out).c_str());
                 }
             return 0;
         }

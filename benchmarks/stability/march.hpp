@@ -3,9 +3,11 @@
 
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/monitor/guard.hpp>
+#include <imbibe/solid/volumetric_deviatoric.hpp>
 
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -61,7 +63,9 @@ template <class P, class View>
 double stored_energy(const View& phase) {
     using State = std::remove_cvref_t<decltype(phase.state)>;
     constexpr int dim = std::remove_cvref_t<decltype(phase[sph::position])>::ColsAtCompileTime;
-    if constexpr (State::template stores<sph::DeformationGradientField>) {
+    if constexpr (State::template stores<sph::AveragedMeanStress>) {
+        return std::numeric_limits<double>::quiet_NaN(); // that of volumes averaged over neighbours
+    } else if constexpr (State::template stores<sph::DeformationGradientField>) {
         return sph::elastic_energy<dim>(phase);
     } else {
         double energy = 0;
