@@ -146,9 +146,9 @@ int main(int argc, char** argv) {
                     if (!outcomes[k].failure.empty())
                         std::fprintf(stderr, "%s, %s: %s\n", contact.name.c_str(), names[k].c_str(),
                                      outcomes[k].failure.c_str());
-                write_curves(folder + "/" + scene_name + "-" + contact.name + (supports ? "-support" : "-spacing") +
-                                 ".csv",
-                             names, outcomes, scene.end);
+                std::string stem = scene_name + "-" + contact.name + (supports ? "-support" : "-spacing");
+                std::replace(stem.begin(), stem.end(), '/', ' '); // K_f = p/S(d) is no folder
+                write_curves(folder + "/" + stem + ".csv", names, outcomes, scene.end);
             }
         }
     } catch (const sph::Error& error) {
