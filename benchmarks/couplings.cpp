@@ -1,6 +1,7 @@
 // Five couplings of water and solid on three scenes: what each gives for four support radii and four spacings, how long
 // its steps are, what it costs, how near it lets the water come. Prints tables and writes the curves.
 //
+//   build-benchmark/benchmarks/couplings scaling            what K_f holds in the paper's scene, at once
 //   build-benchmark/benchmarks/couplings plate              half a metre of water on a soft plate, minutes
 //   build-benchmark/benchmarks/couplings gate               water pushes a rubber gate open
 //   build-benchmark/benchmarks/couplings sponge             one row of pores of the paper's sponge, an hour
@@ -62,6 +63,19 @@ SceneToRun scene_by(const std::string& name) {
             "greatest mean displacement [mm]"};
 }
 
+/// What K_f holds in the paper's scene, for its four support radii: the K_f that leaves no gap, and how far apart the
+/// first layers rest with the paper's K_f and with a hundredth of it.
+void print_scaling() {
+    const double weight = 560; // of the paper's water, Pa
+    std::printf("| h [mm] | K_f/p without a gap | distance over h, K_f = 1e8 Pa | K_f = 1e6 Pa |\n|---|---|---|---|\n");
+    for (const double h : {1e-3, 1.1e-3, 1.2e-3, 1.3e-3}) {
+        const Layers layers{h, 0.8e-3, 0.5e-3, 3};
+        std::printf("| %.1f | %.2f | %.3f | %.3f |\n", h * 1e3,
+                    1 / pressure_over_stiffness(0.5 * (layers.water + layers.solid), layers),
+                    distance_of_repulsion(weight / 1e8, layers) / h, distance_of_repulsion(weight / 1e6, layers) / h);
+    }
+}
+
 /// How far curves are apart at most, as a share of the greatest of all values.
 double spread_of(const std::vector<Outcome>& outcomes) {
     double most = 0, apart = 0;
@@ -98,9 +112,9 @@ void write_curves(const std::filesystem::path& path, const std::vector<std::stri
 int main(int argc, char** argv) {
     std::string scene_name, only, vary = "both", folder = "out-couplings";
     CLI::App app{"Five couplings of water and solid on three scenes."};
-    app.add_option("scene", scene_name, "plate, gate or sponge")
+    app.add_option("scene", scene_name, "scaling, plate, gate or sponge")
         ->required()
-        ->check(CLI::IsMember({"plate", "gate", "sponge"}));
+        ->check(CLI::IsMember({"scaling", "plate", "gate", "sponge"}));
     app.add_option("--only", only, "one coupling, by its name in the table");
     app.add_option("--vary", vary, "support, spacing or both")
         ->check(CLI::IsMember({"support", "spacing", "both"}))
@@ -108,6 +122,10 @@ int main(int argc, char** argv) {
     app.add_option("--output", folder, "folder for the curves")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     try {
+        if (scene_name == "scaling") {
+            print_scaling();
+            return 0;
+        }
         const SceneToRun scene = scene_by(scene_name);
         sph::require_writable(folder);
         for (const bool supports : {true, false}) {
