@@ -15,6 +15,9 @@
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/state/linear_state.hpp>
+#include <imbibe/time/leapfrog.hpp>
+#include <imbibe/time/position_verlet.hpp>
+#include <imbibe/time/staggered_leapfrog.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
@@ -32,18 +35,18 @@ struct Block : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<
                           sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped> {};
 struct Contact : sph::Coupling<Water, Block, sph::Into<Block, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                sph::Into<Water, sph::VolumeContinuity<K>>> {};
-template <class Real>
-using Scene = sph::Solver<2, Real, sph::SymplecticEuler, Water, Block, Contact>;
+template <class Real, class Integrator = sph::SymplecticEuler>
+using Scene = sph::Solver<2, Real, Integrator, Water, Block, Contact>;
 
-template <class Real>
-Scene<Real> make(double density = 1000, int search_interval = 1, double time_step = 0) {
+template <class Real, class Integrator = sph::SymplecticEuler>
+Scene<Real, Integrator> make(double density = 1000, int search_interval = 1, double time_step = 0) {
     const double dx = 0.05;
-    Scene<Real> scene({.gravity = {0, -9.81},
-                       .support_radius = 2.6 * dx,
-                       .time_step = time_step,
-                       .periodic_length = {1, 0},
-                       .search_interval = search_interval,
-                       .threads = 2});
+    Scene<Real, Integrator> scene({.gravity = {0, -9.81},
+                                   .support_radius = 2.6 * dx,
+                                   .time_step = time_step,
+                                   .periodic_length = {1, 0},
+                                   .search_interval = search_interval,
+                                   .threads = 2});
     scene.add(Water{{.density = density, .sound_speed = 20}}, sph::fill(sph::Box<2>({0, 0.22}, {1, 0.72}), dx), dx);
     Block block;
     block.density = 1200;
@@ -101,6 +104,19 @@ TEMPLATE_TEST_CASE("A restarted run is the uninterrupted one, bit by bit", "[che
     CHECK((bits(second) == bits(whole)));
     CHECK(second.last_step().seconds == whole.last_step().seconds);
     REQUIRE(whole.particles() < make<TestType>().particles()); // some had left
+}
+
+TEMPLATE_TEST_CASE("A restarted run is the uninterrupted one with other integrators, too", "[checkpoint]",
+                   sph::StaggeredLeapfrog, sph::Leapfrog, sph::PositionVerlet) {
+    const auto path = output_test::fresh("checkpoint_integrators") / "run";
+    auto whole = make<float, TestType>();
+    run(whole, 80);
+    sph::write_checkpoint(whole, path);
+    run(whole, 80);
+    auto second = make<float, TestType>();
+    sph::read_checkpoint(second, path);
+    run(second, 80);
+    CHECK((bits(second) == bits(whole)));
 }
 
 TEST_CASE("Where neighbours serve several steps, a timed checkpoint waits for the next search", "[checkpoint]") {
