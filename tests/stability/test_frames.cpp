@@ -45,7 +45,8 @@ MatrixXd meet(const Frame& frame) {
     const auto water = add_water<Fluid>(scene, placed(0.3, 1, 7, 6), 30);
     const auto block = add_body<SoundCoupling>(scene, placed(-2, -5, 9, 5), 1e6, 0.3, 950);
     const RowVector2d thrown = RowVector2d(0.4, -1) * frame.turn.transpose();
-    auto w = scene[water], b = scene[block];
+    auto w = scene[water];
+    auto b = scene[block];
     for (int i = 0; i < w.size(); ++i)
         w[sph::velocity].row(i) = (thrown + frame.boost).template cast<Real>();
     for (int i = 0; i < b.size(); ++i)
