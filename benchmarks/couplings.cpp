@@ -74,6 +74,9 @@ void print_scaling() {
                     1 / pressure_over_stiffness(0.5 * (layers.water + layers.solid), layers),
                     distance_of_repulsion(weight / 1e8, layers) / h, distance_of_repulsion(weight / 1e6, layers) / h);
     }
+    const Layers plate{0.052, 0.02, 0.01, 2}; // H = 2.6 spacings
+    std::printf("\nOn the soft plate, with K_f = 1e5 p: %.2f mean spacings\n",
+                distance_of_repulsion(1e-5, plate) / (0.5 * (plate.water + plate.solid)));
 }
 
 /// How far curves are apart at most, as a share of the greatest of all values.

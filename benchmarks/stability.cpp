@@ -5,13 +5,14 @@
 //   build-benchmark/benchmarks/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
 //   build-benchmark/benchmarks/stability --part Limits                   a part of the tables, printed
 #include "stability/rows.hpp"
+#include "support/document.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace {
@@ -137,21 +138,6 @@ void write_frontiers(std::ostream& out, const std::vector<Frontier>& frontiers) 
     }
 }
 
-/// Puts `generated` between the markers of a file. Throws Error if it has none.
-void replace_between_markers(const std::string& path, const std::string& generated) {
-    const std::string begin = "<!-- benchmarks/stability: begin -->\n", end = "<!-- benchmarks/stability: end -->";
-    std::ifstream in(path);
-    std::stringstream all;
-    all << in.rdbuf();
-    const std::string text = all.str();
-    const auto first = text.find(begin), last = text.find(end);
-    sph::require(in.good() && first != std::string::npos && last != std::string::npos && first < last, path,
-                 ": a file with the lines '", begin.substr(0, begin.size() - 1), "' and '", end, "' is needed");
-    std::ofstream out(path);
-    out << text.substr(0, first + begin.size()) << generated << text.substr(last);
-    sph::require(out.good(), path, ": cannot be written");
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -180,6 +166,9 @@ int main(int argc, char** argv) {
         return (composition.empty() || row.composition == composition) && (scene.empty() || row.scene == scene);
     };
     try {
+        std::optional<sph::bench::Document> document;
+        if (!path.empty())
+            document.emplace(path, "benchmarks/stability");
         if (cfl > 0) {
             for (const Row& row : table.rows)
                 if (wanted(row) && (part.empty() || part == row.part)) {
@@ -204,10 +193,10 @@ int main(int argc, char** argv) {
             std::copy_if(table.frontiers.begin(), table.frontiers.end(), std::back_inserter(frontiers), wanted);
             write_frontiers(out, frontiers);
         }
-        if (path.empty())
-            std::cout << out.str();
+        if (document)
+            document->replace(out.str());
         else
-            replace_between_markers(path, out.str());
+            std::cout << out.str();
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "stability: %s\n", error.what());
         return 2;

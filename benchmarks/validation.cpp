@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 using namespace validation;
 
@@ -50,6 +51,9 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     try {
+        std::optional<imbibe::bench::Document> document;
+        if (!file.empty())
+            document.emplace(file, "validation");
         for (Case c : cases) {
             if (std::find(chosen.begin(), chosen.end(), "all") == chosen.end() &&
                 std::find(chosen.begin(), chosen.end(), c.name) == chosen.end())
@@ -59,8 +63,8 @@ int main(int argc, char** argv) {
             const std::string rows = table_rows(c);
             std::printf("%s", rows.c_str());
             std::fflush(stdout);
-            if (!file.empty())
-                replace_rows(file, c.name, rows);
+            if (document)
+                replace_rows(*document, c.name, rows);
         }
     } catch (const imbibe::Error& error) {
         std::fprintf(stderr, "validation: %s\n", error.what());

@@ -2,12 +2,13 @@
 // the two, and its coefficients for a load. What the water does at walls is the same for all.
 #pragma once
 
+#include "../support/elastic.hpp"
+
 #include <imbibe/imbibe.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace couplings {
 
@@ -161,13 +162,11 @@ template <int dim, class Real, class Kit>
 using Scene = sph::Solver<dim, Real, sph::Subcycled<Elastic<Kit>>, Water, Elastic<Kit>, Walls, Sides,
                           typename Kit::template Contact<Water, Elastic<Kit>>>;
 
-/// Young's modulus in Pa, Poisson's ratio, density in kg/m^3, support radius in m; a little viscosity.
+/// Young's modulus in Pa, Poisson's ratio, density in kg/m^3, support radius in m.
 template <class Kit>
 Elastic<Kit> elastic(double young, double poisson, double density, double support) {
-    Elastic<Kit> solid{{.density = density,
-                        .sound_speed = sph::sound_speed_of(young, poisson, density),
-                        .shear_modulus = sph::shear_modulus_of(young, poisson),
-                        .support_radius = support}};
+    auto solid = sph::bench::elastic<Elastic<Kit>>(young, poisson, density);
+    solid.support_radius = support;
     return solid;
 }
 inline Water water(double sound_speed) {

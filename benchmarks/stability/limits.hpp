@@ -9,6 +9,19 @@
 
 namespace stability {
 
+/// Shakes a phase particle by particle, with up to `speed`, m/s, and watches it for 400 of its longest steps.
+template <int dim>
+Outcome march_shaken(auto& scene, const auto& phase, double speed, const Plan& plan) {
+    shake(scene[phase], speed);
+    Growth growth;
+    scene.prepare();
+    const Watch<dim> watch{.end = 400 * scene.time_step_limits().front().seconds,
+                           .guard = {.energy = std::numeric_limits<double>::infinity()},
+                           .signs = {{"kinetic energy over that at the start", 4}},
+                           .expected_steps = 400};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[phase])}; });
+}
+
 /// A periodic square (cube) of a material, shaken particle by particle in velocity and density.
 /// @param support H in spacings
 template <class Phase, int dim = 2>
@@ -21,15 +34,7 @@ Outcome shaken_box(const Plan& plan, Phase material, double support) {
     Scene scene(settings);
     const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(length);
     const auto phase = scene.add(material, sph::fill(sph::Box<dim>{lower, upper}, dx), dx);
-    shake(scene[phase], 1e-4 * material.sound_speed);
-    Growth growth;
-    scene.prepare();
-    const double limit = scene.time_step_limits().front().seconds;
-    const Watch<dim> watch{.end = 400 * limit,
-                           .guard = {.energy = std::numeric_limits<double>::infinity()},
-                           .signs = {{"kinetic energy over that at the start", 4}},
-                           .expected_steps = 400};
-    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[phase])}; });
+    return march_shaken<dim>(scene, phase, 1e-4 * material.sound_speed, plan);
 }
 
 using C2 = sph::WendlandC2;
@@ -57,15 +62,7 @@ Outcome shaken_block(const Plan& plan, double poisson, double support, const Par
     (body.set(parameters), ...);
     const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(dim == 2 ? 0.12 : 0.06);
     const auto block = scene.add(body, sph::fill(sph::Box<dim>{lower, upper}, spacing), spacing);
-    shake(scene[block], 1e-4 * body.longitudinal_wave_speed());
-    Growth growth;
-    scene.prepare();
-    const double limit = scene.time_step_limits().front().seconds;
-    const Watch<dim> watch{.end = 400 * limit,
-                           .guard = {.energy = std::numeric_limits<double>::infinity()},
-                           .signs = {{"kinetic energy over that at the start", 4}},
-                           .expected_steps = 400};
-    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[block])}; });
+    return march_shaken<dim>(scene, block, 1e-4 * body.longitudinal_wave_speed(), plan);
 }
 
 struct Floor : sph::Wall<> {};

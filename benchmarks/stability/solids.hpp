@@ -1,6 +1,7 @@
 // The solids of the gauntlet and the scenes they are tried in.
 #pragma once
 
+#include "../support/elastic.hpp"
 #include "march.hpp"
 #include "signs.hpp"
 
@@ -47,14 +48,7 @@ struct Hypoelastic {
 template <class S, int dim, class Real>
 using SolidScene = sph::Solver<dim, Real, sph::SymplecticEuler, typename S::Body>;
 
-template <class Body>
-Body elastic(double E, double poisson, double density) {
-    Body body;
-    body.density = density;
-    body.sound_speed = sph::sound_speed_of(E, poisson, density);
-    body.shear_modulus = sph::shear_modulus_of(E, poisson);
-    return body;
-}
+using sph::bench::elastic;
 template <class S>
 typename S::Body body_of(double poisson) {
     auto body = elastic<typename S::Body>(young, poisson, rho);

@@ -1,13 +1,11 @@
 // Runs a case and writes what came of it as rows of a Markdown table, and puts them into a document.
 #pragma once
 
+#include "../support/document.hpp"
 #include "case.hpp"
-
-#include <imbibe/output/file.hpp>
 
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <sstream>
 
 namespace validation {
@@ -31,12 +29,11 @@ inline std::string percentage(double share) {
 /// The rows of a case: name, quantity, computed (finest), reference, error at each resolution, order, what is good.
 inline std::string table_rows(const Case& c) {
     std::vector<std::vector<Measured>> found;
-    std::vector<double> seconds;
     for (const int n : c.resolutions) {
         const std::clock_t start = std::clock();
         found.push_back(c.run(n));
-        seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-        std::fprintf(stderr, "%s, %d %s: %.1f s\n", c.name.c_str(), n, c.counts.c_str(), seconds.back());
+        std::fprintf(stderr, "%s, %d %s: %.1f s\n", c.name.c_str(), n, c.counts.c_str(),
+                     static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     }
     std::ostringstream out;
     for (std::size_t q = 0; q < found.front().size(); ++q) {
@@ -58,29 +55,21 @@ inline std::string table_rows(const Case& c) {
     return out.str();
 }
 
-/// Replaces the rows of a case between the lines `<!-- validation: begin -->` and `<!-- validation: end -->` of a
-/// document, or adds them at the end. Throws Error if the document has no such lines, or cannot be written.
-inline void replace_rows(const std::string& path, const std::string& name, const std::string& rows) {
-    std::ifstream in(path);
-    sph::require(in.is_open(), "cannot read ", path, "; give a document that is there");
-    std::string line, text;
-    bool inside = false, written = false, ended = false;
+/// Replaces the rows of a case in the table of a document, or adds them at its end. Throws Error if the document cannot
+/// be written.
+inline void replace_rows(sph::bench::Document& document, const std::string& name, const std::string& rows) {
+    std::istringstream in(document.generated());
+    std::string line, table;
+    bool written = false;
     while (std::getline(in, line)) {
-        ended = ended || (inside && line == "<!-- validation: end -->");
-        const bool of_this_case = inside && !ended && line.rfind("| " + name + " |", 0) == 0;
-        if (!written && (of_this_case || ended)) {
-            text += rows;
-            written = true;
-        }
+        const bool of_this_case = line.rfind("| " + name + " |", 0) == 0;
+        if (of_this_case && !written)
+            table += rows;
+        written = written || of_this_case;
         if (!of_this_case)
-            text += line + "\n";
-        inside = inside || line == "<!-- validation: begin -->";
+            table += line + "\n";
     }
-    sph::require(ended, path, " has no lines <!-- validation: begin --> and <!-- validation: end --> for the table");
-    in.close();
-    sph::AtomicFile whole(path);
-    whole << text;
-    whole.commit();
+    document.replace(written ? table : table + rows);
 }
 
 } // namespace validation

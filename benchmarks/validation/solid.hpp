@@ -1,6 +1,7 @@
 // The total-Lagrangian solid of the cases, and what its plates have alike.
 #pragma once
 
+#include "../support/elastic.hpp"
 #include "case.hpp"
 
 #include <imbibe/geometry/box.hpp>
@@ -21,15 +22,7 @@ struct ElasticPlate : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGra
                                  sph::TotalLagrangianForce<>, sph::HourglassControl<>, sph::Clamped> {};
 using PlateScene = sph::Solver<2, double, sph::SymplecticEuler, ElasticPlate>;
 
-/// A solid P with Young's modulus, Pa, Poisson's ratio and density, kg/m^3.
-template <class P>
-P elastic(double young, double poisson, double rho) {
-    P solid;
-    solid.density = rho;
-    solid.sound_speed = sph::sound_speed_of(young, poisson, rho);
-    solid.shear_modulus = sph::shear_modulus_of(young, poisson);
-    return solid;
-}
+using sph::bench::elastic;
 
 /// The displacement, m, of the middle of the far end of a plate along x that has `across` particles over its thickness:
 /// the end is half a spacing beyond the last column of particles.

@@ -216,7 +216,7 @@ struct Composition {
         static constexpr bool gravity = true;
     };
     // Which rows of a step advance states, with all that their rates are made of; and all others, with what these need.
-    static constexpr Bits rows_for_states() {
+    static constexpr Bits find_rows_for_states() {
         const auto all = rows(StepRows{});
         Bits chosen;
         for (std::size_t k = 0; k < all.size(); ++k)
@@ -224,18 +224,20 @@ struct Composition {
                 chosen.set(static_cast<int>(k));
         return with_what_they_read(all, chosen);
     }
-    static constexpr Bits rows_for_forces() {
+    static constexpr Bits rows_for_states = find_rows_for_states();
+    static constexpr Bits find_rows_for_forces() {
         const auto all = rows(StepRows{});
         Bits chosen;
         for (int k = 0; k < static_cast<int>(all.size()); ++k)
-            if (!rows_for_states().test(k))
+            if (!rows_for_states.test(k))
                 chosen.set(k);
         return with_what_they_read(all, chosen);
     }
+    static constexpr Bits rows_for_forces = find_rows_for_forces();
     template <class N>
-    struct ForStates : std::bool_constant<rows_for_states().test(detail::index_of<N, StepRows>)> {};
+    struct ForStates : std::bool_constant<rows_for_states.test(detail::index_of<N, StepRows>)> {};
     template <class N>
-    struct ForForces : std::bool_constant<rows_for_forces().test(detail::index_of<N, StepRows>)> {};
+    struct ForForces : std::bool_constant<rows_for_forces.test(detail::index_of<N, StepRows>)> {};
     /// What the rates of states are made of; the states advance at its end.
     struct States {
         using Rows = detail::Filter<ForStates, StepRows>;

@@ -9,7 +9,8 @@
 
 namespace imbibe {
 
-/// The costs of a composition of a scene, `Solver::Scene`, in one step: all of its terms, with a search.
+/// The costs of a composition of a scene, `Solver::Scene`, in one step: all of its terms, evaluated as SymplecticEuler
+/// does, with a search. For StaggeredLeapfrog, which evaluates them in two parts, sweeps and loads can differ.
 template <class Composition>
 class Costs;
 
