@@ -57,12 +57,12 @@ struct Bounds {
         if (not_finite < 0)
             not_finite = b.not_finite;
     }
-    /// Is there no point of one within `reach` of the other, judged by the boxes?
-    bool far_from(const Bounds& b, double reach) const {
+    /// Is there no point of one within `reach` of the other, judged by the boxes in the directions that do not repeat?
+    bool far_from(const Bounds& b, double reach, const Periodic<dim>& periodic = {}) const {
         if (empty() || b.empty())
             return true;
         for (std::size_t d = 0; d < dim; ++d)
-            if (lower[d] > b.upper[d] + reach || b.lower[d] > upper[d] + reach)
+            if (periodic.length[d] == 0 && (lower[d] > b.upper[d] + reach || b.lower[d] > upper[d] + reach))
                 return true;
         return false;
     }

@@ -16,7 +16,6 @@ public:
     template <class P>
     using State = typename Base::template State<P>;
     using Links = typename Base::Links;
-    using Base::any_periodic;
     using Base::for_each_phase;
 
     /// Once, when the particles are there: puts total-Lagrangian phases into the order of their reference positions
@@ -61,8 +60,7 @@ public:
     void refresh_places() {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             if constexpr (State<P>::keeps_reference)
-                if (s.size() > 0 && takes_part<P>())
-                    copy_places_to_image(s);
+                copy_places_to_image(s);
             s.pad();
         });
     }
@@ -88,6 +86,7 @@ public:
         long long particles = 0;
         double greatest_support = 0;
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            s.bounds = {};
             if (s.size() == 0)
                 return;
             if constexpr (State<P>::keeps_reference)
@@ -107,7 +106,8 @@ public:
             return;
         grid.fit(all, greatest_support, this->periodic, particles);
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if (s.size() > 0 && takes_part<P>())
+            s.within_reach = is_near_any<P>(Links{});
+            if (s.within_reach)
                 sort(s);
             s.disturbed = false;
             s.pad();
@@ -118,7 +118,7 @@ public:
                 auto& b = this->template state<typename L::B>();
                 link.support = this->template support<typename L::A, typename L::B>();
                 farthest_allowed = std::min(farthest_allowed, 0.05 * link.support);
-                if (a.size() == 0 || b.size() == 0 || this->template are_apart<typename L::A, typename L::B>())
+                if (this->template are_apart<typename L::A, typename L::B>())
                     link.runs.clear_all(a.size());
                 else
                     search::find_runs<Base::width>(link.runs, a.points(), seen_points(b), grid, b.table, link.support,
@@ -127,11 +127,12 @@ public:
         });
     }
 
-    /// Are the boxes around two phases further apart than their support radius? Never, where sides are periodic.
+    /// Are the boxes around two phases further apart than their support radius, along a side that is not periodic? So
+    /// is a phase without particles from every other.
     template <class A, class B>
     bool are_apart() const {
-        return !any_periodic() && this->template state<A>().bounds.far_from(this->template state<B>().bounds,
-                                                                            this->template support<A, B>());
+        return this->template state<A>().bounds.far_from(this->template state<B>().bounds,
+                                                         this->template support<A, B>(), this->periodic);
     }
 
     /// The mean number of neighbours within the support, the particle itself not counted, over a sample of particles.
@@ -177,9 +178,11 @@ protected:
             return s.points();
     }
 
-    /// Brings the positions in the copy through which others see a total-Lagrangian phase up to date.
+    /// Brings the positions in the copy through which others see a total-Lagrangian phase up to date, if any can.
     template <class S>
     void copy_places_to_image(S& s) {
+        if (!s.within_reach)
+            return;
         s.copy_to_image(S::template offset<Position>, dim, this->threads);
         for (int d = 0; d < dim; ++d)
             wrap_column(s.image_column(S::template offset<Position> + d), s.size(), d);
@@ -198,6 +201,17 @@ private:
     template <class P, class... L>
     static constexpr bool takes_part_in(TypeList<L...>) {
         return ((!L::reference && (std::is_same_v<P, typename L::A> || std::is_same_v<P, typename L::B>)) || ...);
+    }
+
+    /// Is phase P, at the last search, within reach of any phase that it has a sweep over the neighbours of now with?
+    template <class P, class... L>
+    bool is_near_any(TypeList<L...>) const {
+        [[maybe_unused]] const auto is_near = [&]<class M>(std::type_identity<M>) {
+            if constexpr (!M::reference && (std::is_same_v<P, typename M::A> || std::is_same_v<P, typename M::B>))
+                return !are_apart<typename M::A, typename M::B>();
+            return false;
+        };
+        return (is_near(std::type_identity<L>{}) || ...);
     }
 
     template <class S>

@@ -164,7 +164,8 @@ public:
     search::CellTable table;                ///< of the present positions
     std::vector<std::uint32_t> image_order; ///< image[k] is particle image_order[k]
     search::Bounds<dim> bounds;
-    bool disturbed = true; ///< were particles added or removed since their neighbours were found?
+    bool within_reach = true; ///< of any other, at the last search? If not, the copy and the table are not kept up
+    bool disturbed = true;    ///< were particles added or removed since their neighbours were found?
     std::size_t bytes() const {
         return (values.capacity() + spare.capacity() + image.capacity()) * sizeof(Real) +
                ids.capacity() * sizeof(std::uint32_t);
