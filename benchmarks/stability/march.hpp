@@ -71,22 +71,8 @@ double stored_energy(const View& phase) {
         double energy = 0;
         if constexpr (State::template stores<sph::Density>)
             energy += sph::compression_energy(phase);
-        if constexpr (State::template stores<sph::DeviatoricStress>) {
-            const auto m = phase[sph::mass];
-            const auto s = phase[sph::deviatoric_stress];
-            const auto rho = phase[sph::density];
-            for (int i = 0; i < phase.size(); ++i) {
-                double squares = 0;
-                int k = 0;
-                for (int r = 0; r < dim; ++r)
-                    for (int c = r; c < dim; ++c, ++k)
-                        squares += (r == c ? 1 : 2) * sph::sq(static_cast<double>(s(i, k)));
-                if constexpr (dim == 2) // plane strain: what is not stored
-                    squares += sph::sq(static_cast<double>(s(i, 0)) + static_cast<double>(s(i, 2)));
-                energy += static_cast<double>(m(i)) / static_cast<double>(rho(i)) * squares /
-                          (4 * phase.material().shear_modulus);
-            }
-        }
+        if constexpr (State::template stores<sph::DeviatoricStress>)
+            energy += sph::shear_energy<dim>(phase);
         return energy;
     }
 }

@@ -13,13 +13,13 @@
 
 namespace imbibe::example {
 
-/// The elastic energy of the sponge, J, where the composition knows it; else not a number.
+/// The elastic energy of the sponge, J; in the composition of the paper for small strains.
 template <class C, class View>
-double stored_energy([[maybe_unused]] const View& sponge) {
+double stored_energy(const View& sponge) {
     if constexpr (std::is_same_v<C, presets::SoundSponge>)
         return elastic_energy<3>(sponge);
     else
-        return std::nan("");
+        return compression_energy(sponge) + shear_energy<3>(sponge);
 }
 
 /// Set by Ctrl-C and by a polite kill while a run is going on.

@@ -22,9 +22,8 @@ template <class View>
 double kinetic_energy(const View& phase) {
     const auto m = phase[mass];
     const auto v = phase[velocity];
-    return detail::particle_sum(phase, [&](int i) {
-        return 0.5 * static_cast<double>(m(i)) * v.row(i).template cast<double>().squaredNorm();
-    });
+    return detail::particle_sum(
+        phase, [&](int i) { return 0.5 * static_cast<double>(m(i)) * v.row(i).template cast<double>().squaredNorm(); });
 }
 
 /// - sum_a m_a g.x_a, J, with the origin as zero.
@@ -48,6 +47,28 @@ double compression_energy(const View& phase) {
     const double rest = phase.material().density, c = phase.material().sound_speed;
     return detail::particle_sum(phase, [&](int i) {
         return 0.5 * static_cast<double>(m(i)) * sq(c * (static_cast<double>(rho(i)) / rest - 1));
+    });
+}
+
+/// sum_a (m_a/rho_a) S_a:S_a / (4 G), J, with the deviatoric stress S: what a solid with a stress rate (JaumannStress)
+/// stores by its shear; by its volume it stores `compression_energy`. For small strains. In two dimensions, plane
+/// strain, with S_zz = -(S_xx + S_yy).
+template <int dim, class View>
+double shear_energy(const View& phase) {
+    const auto m = phase[mass];
+    const auto rho = phase[density];
+    const auto S = phase[deviatoric_stress];
+    const double G = phase.material().shear_modulus;
+    return detail::particle_sum(phase, [&](int i) {
+        double squares = 0, trace = 0;
+        for (int row = 0, k = 0; row < dim; ++row)
+            for (int column = row; column < dim; ++column, ++k) {
+                const double s = static_cast<double>(S(i, k));
+                squares += (row == column ? 1 : 2) * sq(s);
+                trace += row == column ? s : 0;
+            }
+        return static_cast<double>(m(i)) / static_cast<double>(rho(i)) * (dim == 2 ? squares + sq(trace) : squares) /
+               (4 * G);
     });
 }
 

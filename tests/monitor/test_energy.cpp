@@ -1,0 +1,61 @@
+// The energies that a phase stores: two ways to describe one solid must agree.
+#include <catch_shim.hpp>
+
+#include <imbibe/imbibe.hpp>
+
+namespace {
+
+namespace sph = imbibe;
+using K = sph::WendlandC2;
+
+struct Rated : sph::Solid<sph::LinearState, sph::Continuity<K>, sph::VelocityGradient<K>, sph::JaumannStress,
+                          sph::StressForce<K>> {};
+struct Referred : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
+                             sph::TotalLagrangianForce<K>> {};
+
+/// The compression and the shear energy of a block with a stress rate in the strain e, and what it has by St. Venant
+/// and Kirchhoff, J.
+template <int dim>
+std::array<double, 3> energies_in(const Eigen::Matrix<double, dim, dim>& e) {
+    const double dx = 0.1, rho = 950, c = 30, G = 2e5;
+    const auto points = sph::fill(sph::Box<dim>(sph::Point<dim>::Zero(), sph::Point<dim>::Constant(0.4)), dx);
+
+    sph::Solver<dim, double, sph::SymplecticEuler, Rated> rated({.support_radius = 2 * dx});
+    const auto a = rated.add(Rated{{.density = rho, .sound_speed = c, .shear_modulus = G}}, points, dx);
+    rated[a][sph::density].setConstant(rho / (1 + e.trace()));
+    auto S = rated[a][sph::deviatoric_stress];
+    for (int row = 0, k = 0; row < dim; ++row)
+        for (int column = row; column < dim; ++column, ++k)
+            S.col(k).setConstant(2 * G * (e(row, column) - (row == column ? e.trace() / 3 : 0)));
+
+    sph::Solver<dim, double, sph::SymplecticEuler, Referred> referred({.support_radius = 2 * dx});
+    const auto b = referred.add(Referred{{.density = rho, .sound_speed = c, .shear_modulus = G}}, points, dx);
+    auto F = referred[b][sph::deformation_gradient];
+    for (int row = 0; row < dim; ++row)
+        for (int column = 0; column < dim; ++column)
+            F.col(row * dim + column).setConstant((row == column ? 1 : 0) + e(row, column));
+    return {sph::compression_energy(rated[a]), sph::shear_energy<dim>(rated[a]), sph::elastic_energy<dim>(referred[b])};
+}
+
+} // namespace
+
+TEST_CASE("A solid with a stress rate stores what a total-Lagrangian one does in a small strain", "[energy]") {
+    Eigen::Matrix3d space;
+    space << 2, 1, -0.5, 1, -1, 0.7, -0.5, 0.7, 3;
+    Eigen::Matrix2d plane;
+    plane << 2, 1, 1, -0.5;
+    const double small = 1e-5, bulk = 950.0 * 30 * 30, G = 2e5;
+    SECTION("in space") {
+        const auto [compression, shear, all] = energies_in<3>(small * space);
+        const double dev2 = (space - space.trace() / 3 * Eigen::Matrix3d::Identity()).squaredNorm();
+        const double volume = 0.4 * 0.4 * 0.4;
+        CHECK(shear == Approx(volume * G * dev2 * small * small).epsilon(1e-3));
+        CHECK(compression == Approx(volume * bulk / 2 * sph::sq(small * space.trace())).epsilon(1e-3));
+        CHECK(compression + shear == Approx(all).epsilon(1e-3));
+    }
+    SECTION("in the plane") {
+        const auto [compression, shear, all] = energies_in<2>(small * plane);
+        CHECK(compression == Approx(0.4 * 0.4 * bulk / 2 * sph::sq(small * plane.trace())).epsilon(1e-3));
+        CHECK(compression + shear == Approx(all).epsilon(1e-3));
+    }
+}
