@@ -46,7 +46,7 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
     app.add_option("--cfl", numbers.cfl, "share of the shortest limit that an adaptive time step takes")
         ->capture_default_str();
     app.add_option("--search-interval", numbers.search_interval,
-                   "steps between two searches for neighbours; 0: 4 (sound), 1 (paper)")
+                   "greatest number of steps between two searches for neighbours; 0: 4 (sound), 100 (paper)")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--strip", numbers.strip, "one row of pores, periodic across");

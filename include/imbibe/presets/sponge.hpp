@@ -57,7 +57,11 @@ struct PaperSponge {
     static Scene<Real> make(SpongeCase c) {
         c.check();
         if (c.time_step == 0)
-            c.time_step = 1e-5;        // the paper's; and a search in every step, because K_f acts hard at the very rim
+            c.time_step = 1e-5; // the paper's
+        if (c.search_interval == 0)
+            c.search_interval = 100;
+        if (c.search_skin == 0)
+            c.search_skin = 0.1;       // no pair may be missed: K_f acts hard at the very rim
         c.wall_gap = c.support_radius; // the distance at which K_f lets water come to rest
         Scene<Real> scene(c.settings(c.support_radius));
         scene.add(Water{{.density = 1000, .sound_speed = 30, .viscosity = c.viscosity}}, c.water(), c.water_spacing);

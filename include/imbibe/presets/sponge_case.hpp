@@ -28,6 +28,7 @@ struct SpongeCase {
     double time_step = 0;            ///< s; 0: the composition's own choice
     double cfl = 0.75;               ///< share of the shortest time step limit that an adaptive step takes
     int search_interval = 0;         ///< steps between two searches for neighbours; 0: the composition's own choice
+    double search_skin = 0;          ///< Settings::search_skin; 0: the composition's own choice
     double drain = 30e-3;            ///< how far below the slab water leaves the scene, m
     double freeboard = 0;            ///< how far the walls reach above the water, m; 0: as far as it is seen to splash
     bool strip = false;              ///< one row of pores, periodic in y, instead of five rows in a tank
@@ -107,6 +108,7 @@ struct SpongeCase {
                       .cfl = cfl,
                       .time_step = time_step,
                       .search_interval = std::max(search_interval, 1),
+                      .search_skin = search_skin,
                       .threads = threads};
         if (strip) {
             s.periodic_lower[1] = 0;

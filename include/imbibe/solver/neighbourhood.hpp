@@ -47,6 +47,8 @@ public:
 
     /// How many steps neighbours serve; see Settings::search_interval.
     int search_interval = 1;
+    /// How much further than the support radius they are looked for, as a share of it; see Settings::search_skin.
+    double search_skin = 0;
 
     /// In every step: sorts what moves and finds the neighbours of now, if it is due.
     void find_neighbours() {
@@ -104,7 +106,7 @@ public:
         });
         if (greatest_support == 0)
             return;
-        grid.fit(all, greatest_support, this->periodic, particles);
+        grid.fit(all, reach_of(greatest_support), this->periodic, particles);
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             s.within_reach = is_near_any<P>(Links{});
             if (s.within_reach)
@@ -117,22 +119,26 @@ public:
                 auto& a = this->template state<typename L::A>();
                 auto& b = this->template state<typename L::B>();
                 link.support = this->template support<typename L::A, typename L::B>();
-                farthest_allowed = std::min(farthest_allowed, 0.05 * link.support);
+                farthest_allowed =
+                    std::min(farthest_allowed, (search_skin > 0 ? search_skin / 2 : 0.05) * link.support);
                 if (this->template are_apart<typename L::A, typename L::B>())
                     link.runs.clear_all(a.size());
                 else
-                    search::find_runs<Base::width>(link.runs, a.points(), seen_points(b), grid, b.table, link.support,
-                                                   this->threads);
+                    search::find_runs<Base::width>(link.runs, a.points(), seen_points(b), grid, b.table,
+                                                   reach_of(link.support), this->threads);
             }
         });
     }
 
-    /// Are the boxes around two phases further apart than their support radius, along a side that is not periodic? So
+    /// How far neighbours are looked for, m.
+    double reach_of(double support) const { return (1 + search_skin) * support; }
+
+    /// Are the boxes around two phases further apart than that, along a side that is not periodic? So
     /// is a phase without particles from every other.
     template <class A, class B>
     bool are_apart() const {
         return this->template state<A>().bounds.far_from(this->template state<B>().bounds,
-                                                         this->template support<A, B>(), this->periodic);
+                                                         reach_of(this->template support<A, B>()), this->periodic);
     }
 
     /// The mean number of neighbours within the support, the particle itself not counted, over a sample of particles.

@@ -33,8 +33,13 @@ struct Settings {
     /// neighbours they have, as the inner steps of dual time stepping do (Zhang, Rezavand and Hu 2020), unless a
     /// particle may have travelled more than 5 % of a support radius. Pairs that come within reach meanwhile are
     /// missed: at 0.95 H and more the gradient of WendlandC2 is below 0.2 % of its greatest value, at 0.9 H (both have
-    /// come 5 % nearer) it is 0.9 %. Positions leave a periodic box by that much, too.
+    /// come 5 % nearer) it is 0.9 %. Positions leave a periodic box by that much, too. See `search_skin`.
     int search_interval = 1;
+    /// Neighbours that serve several steps are looked for this much further than the support radius, as a share of it,
+    /// and serve until a particle may have travelled half of that: then no pair is missed (Verlet 1967). 0: the 5 % of
+    /// `search_interval`. A wide skin makes searches rare and sums long; 0.1 is a good choice where steps are short
+    /// beside the particles' own motion.
+    double search_skin = 0;
     /// Threads; 0: all of the machine.
     int threads = 0;
 
@@ -50,14 +55,17 @@ struct Settings {
         require(max_time_step > 0, "max_time_step = ", max_time_step, " s; it must be above 0 s");
         require(search_interval >= 1, "search_interval = ", search_interval,
                 "; it must be at least 1 (a search in every step)");
+        require(search_skin >= 0 && search_skin <= 0.5, "search_skin = ", search_skin,
+                " support radii; it must be from 0 (none) to 0.5, usually 0.1");
         for (double lower : periodic_lower)
             require(std::isfinite(lower), "a periodic_lower of ", lower, " m; it must be a finite number");
         for (double coordinate : origin)
             require(std::isfinite(coordinate), "an origin with a coordinate of ", coordinate,
                     " m; all must be finite numbers");
         for (double length : periodic_length)
-            require(std::isfinite(length) && (length == 0 || length >= support_radius), "a periodic length of ", length,
-                    " m; it must be 0 (not periodic) or at least the support radius, ", support_radius, " m");
+            require(std::isfinite(length) && (length == 0 || length >= (1 + search_skin) * support_radius),
+                    "a periodic length of ", length, " m; it must be 0 (not periodic) or at least the support radius, ",
+                    (1 + search_skin) * support_radius, " m with its skin");
     }
 };
 

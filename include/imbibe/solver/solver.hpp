@@ -47,6 +47,7 @@ public:
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
         engine_.search_interval = with.search_interval;
+        engine_.search_skin = with.search_interval > 1 ? with.search_skin : 0;
         engine_.threads = with.threads > 0 ? with.threads : available_threads();
         for (std::size_t d = 0; d < dim; ++d)
             engine_.periodic.lower[d] = with.periodic_lower[d] - with.origin[d];
