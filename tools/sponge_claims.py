@@ -61,7 +61,7 @@ def claims_on_pores(tables):
     largest_smallest = lambda v: None if None in v else max(v) == v[0] and min(v) == v[-1]
     both = lambda a, b: None if a is None or b is None else a > b
     return [
-        ("1. Mean displacement is largest for r = 0.5 h, smallest for 2 h: first peak", millimetres(peaks),
+        ("1. Mean displacement is largest for r = 0.5 h, smallest for 2 h: the greatest of the run", millimetres(peaks),
          verdict(largest_smallest(peaks))),
         (f"1. the same, mean over the run (0 to {end:.3g} s)", millimetres(whole), verdict(largest_smallest(whole))),
         (f"1. the same, mean from {0.6 * end:.3g} s to {end:.3g} s", millimetres(late), verdict(largest_smallest(late))),
@@ -90,7 +90,7 @@ def claims_on_support(tables):
         ("3. Displacements agree until 0.15 s (within 10 % of the greatest)" +
          ("" if until == 0.15 else f": until {until:.3g} s"), percent([early]), verdict(agree)),
         (f"3. and part afterwards (0.15 s to {end:.3g} s)", percent([late]), verdict(part)),
-        ("First peaks, spread " + percent([(max(peaks) - min(peaks)) / max(peaks)]), millimetres(peaks), ""),
+        ("The greatest of each run, spread " + percent([(max(peaks) - min(peaks)) / max(peaks)]), millimetres(peaks), ""),
     ]
 
 
