@@ -40,6 +40,7 @@ public:
     /// Which repetition this is, from 0 on: the seed of a jittered start.
     int repetition = 0;
 
+    /// Takes a choice on an axis, new or in place of the old one.
     void set(const std::string& axis, const std::string& value) {
         for (auto& [name, old] : values_)
             if (name == axis) {
@@ -63,10 +64,10 @@ struct Outcome {
 
 /// One line of a study's result: a set of choices, over all repetitions.
 struct Row {
-    Choices choices;
+    Choices choices;                           ///< what the case was given
     double error, least_error, greatest_error; ///< mean and range over the repetitions
     double seconds;                            ///< processor time of one repetition, the least of all
-    double pair_evaluations;
+    double pair_evaluations;                   ///< of one repetition, see Outcome
     bool on_front = false; ///< is nothing else both faster and more accurate?
     std::string failure;   ///< why the run broke off, if it did; error is infinite then
 };

@@ -23,6 +23,7 @@ enum class Rank { scalar, vector, symmetric_tensor, tensor };
 /// or be integrated from a rate (then they start from zero).
 template <Rank r>
 struct Field {
+    /// What it holds per particle.
     static constexpr Rank rank = r;
     static constexpr bool given = false;
     /// Is it written to output files? States (fields that are given or integrated) always are.
@@ -32,6 +33,7 @@ struct Field {
 /// The rate of change of a field in time. A field to whose rate some term adds is integrated by the solver.
 template <class F>
 struct Rate : Field<F::rank> {
+    /// The field whose rate it is.
     using State = F;
     static constexpr std::string_view name = F::rate_name;
     static constexpr std::string_view unit = F::rate_unit;
@@ -86,6 +88,7 @@ IMBIBE_INLINE constexpr auto& component(T& value, [[maybe_unused]] int k) {
 /// A list of types.
 template <class... T>
 struct TypeList {
+    /// How many types.
     static constexpr int size = sizeof...(T);
 };
 

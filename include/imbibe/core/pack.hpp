@@ -132,6 +132,7 @@ struct Pack {
     Lanes lanes;
 
     Pack() = default;
+    /// The numbers of the lanes.
     IMBIBE_INLINE constexpr Pack(Lanes values) requires(width > 1) : lanes(values) {}
     /// The same number in every lane.
     template <class A>

@@ -55,7 +55,9 @@ inline void require_positive(double value, std::string_view phase, std::string_v
 /// The numerical coefficients of a list of terms: one value of each term's `Parameters`.
 template <class... Terms>
 struct Coefficients {
+    /// The types of the coefficients, each once.
     using List = detail::Unique<detail::Concat<typename detail::ParametersOf<Terms>::type...>>;
+    /// Their values.
     typename detail::TupleOf<List>::type all{};
 
     /// The parameters of type P, to read or to change: `phase.coefficients.get<ArtificialStressParameters>()`.
@@ -63,6 +65,7 @@ struct Coefficients {
     constexpr P& get() {
         return std::get<P>(all);
     }
+    /// The same, to read.
     template <class P>
     constexpr const P& get() const {
         return std::get<P>(all);
@@ -185,7 +188,9 @@ struct Unwrapped<Into<P, Term>> {
 /// The terms between two phases.
 template <class First_, class Second_, class... Terms>
 struct Coupling {
+    /// One of the two phases.
     using First = First_;
+    /// The other one.
     using Second = Second_;
     using terms = TypeList<Terms...>;
     Coefficients<typename detail::Unwrapped<Terms>::type...> coefficients{};

@@ -32,7 +32,7 @@ struct Reference {};
 /// multiplied by the offset once, which is faster and conserves angular momentum by construction.
 template <class T>
 struct Central {
-    T factor;
+    T factor; ///< what the offset is multiplied by
 };
 
 /// The value of a particle or pair function with several results, in the order of `sets`, then `adds`.

@@ -24,6 +24,7 @@ struct Vector {
     IMBIBE_INLINE constexpr T& operator[](int i) { return c[i]; }
     IMBIBE_INLINE constexpr const T& operator[](int i) const { return c[i]; }
     static constexpr Vector zero() { return filled(T(0)); }
+    /// The same number in every component.
     static constexpr Vector filled(T x) {
         Vector v{};
         for (int i = 0; i < n; ++i)
@@ -58,6 +59,7 @@ struct SymmetricTensor {
     static constexpr int size = n * (n + 1) / 2;
     T c[static_cast<std::size_t>(size)];
 
+    /// Where component (i, j) is stored.
     static constexpr int index(int i, int j) { return i <= j ? i * n - i * (i - 1) / 2 + (j - i) : index(j, i); }
     IMBIBE_INLINE constexpr T& operator()(int i, int j) { return c[index(i, j)]; }
     IMBIBE_INLINE constexpr const T& operator()(int i, int j) const { return c[index(i, j)]; }

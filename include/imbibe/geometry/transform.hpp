@@ -11,7 +11,9 @@ namespace imbibe {
 template <AnyShape S>
 class Transformed {
 public:
+    /// 2 or 3.
     static constexpr int dim = shape_dimension<S>;
+    /// A rotation.
     using Matrix = Eigen::Matrix<double, dim, dim, Eigen::DontAlign>;
 
     /// The shape turned by the rotation matrix `turn`, enlarged by `factor` about `about` and moved by `shift` (m).

@@ -11,6 +11,7 @@ namespace imbibe {
 template <int dim>
 class DisplacementProbe {
 public:
+    /// Measures from where the particles are now: `DisplacementProbe<3> probe(scene[sponge])`.
     template <class View>
     explicit DisplacementProbe(const View& phase) : start(static_cast<std::size_t>(phase.size())) {
         const auto x = phase[position];

@@ -22,15 +22,16 @@ enum class Cause {
 /// Thrown by a Guard: what, where, when. The message says it in a sentence, with the likely reason and a remedy.
 class Diverged : public Error {
 public:
+    /// The sentence, and what its members are to hold.
     Diverged(const std::string& message, Cause what, std::string in_phase, std::vector<double> where, double when,
              long long step)
         : Error(message), cause(what), phase(std::move(in_phase)), position(std::move(where)), time(when), steps(step) {
     }
-    Cause cause;
+    Cause cause;                  ///< what was found
     std::string phase;            ///< empty where the whole scene is meant
     std::vector<double> position; ///< of the particle, m; empty where no one particle is meant
     double time;                  ///< s
-    long long steps;
+    long long steps;              ///< taken until then
 };
 
 /// The bounds that a Guard keeps a scene in.
@@ -44,12 +45,14 @@ struct GuardSettings {
     double least_density = 0.5, greatest_density = 1.5;
     /// The domain, m: a particle outside ends the run. As wide as the tank and a spacing more, it notices leaks.
     std::array<double, static_cast<std::size_t>(dim)> lower = filled(-std::numeric_limits<double>::infinity()),
-                                                      upper = filled(std::numeric_limits<double>::infinity());
+                                                      /// The upper corner of the domain, m.
+        upper = filled(std::numeric_limits<double>::infinity());
     /// How much kinetic and potential energy may appear, as a share of what the scene turns over (its kinetic energy,
     /// or the potential energy that has been released, whichever is more). Infinite: not looked at, as for scenes that
     /// start under stress or that something drives. Not looked at either while a wall moves.
     double energy = 0.2;
 
+    /// Throws Error for a number out of range.
     void check() const {
         require(interval >= 1, "Guard: interval = ", interval, " steps; it must be at least 1");
         require(speed > 0, "Guard: speed = ", speed, " sound speeds; it must be above 0");

@@ -26,6 +26,7 @@ public:
     /// @param live rewrite the line in place (a terminal), or print a new one now and then (a file)
     Progress(double end, bool live) : end_(end), live_(live), started_(Clock::now()), shown_(started_) {}
 
+    /// Is called after every step.
     template <class Scene>
     void operator()(const Scene& scene) {
         const auto now = Clock::now();
@@ -63,10 +64,12 @@ private:
 template <class F>
 class Every {
 public:
+    /// @throws Error for an interval that is not above 0 s
     Every(double interval, F what) : interval_(interval), what_(std::move(what)) {
         require(std::isfinite(interval) && interval > 0, "an output interval of ", interval,
                 " s; it must be above 0 s");
     }
+    /// Is called after every step.
     template <class Scene>
     void operator()(const Scene& scene) {
         if (scene.time() < next_ * interval_ * (1 - 1e-9))
@@ -85,6 +88,7 @@ private:
     F what_;
     double next_ = 0;
 };
+/// Makes an `Every`, for `run_until`: `every(0.02, Snapshots("out"))`.
 template <class F>
 Every<F> every(double interval, F what) {
     return Every<F>(interval, std::move(what));

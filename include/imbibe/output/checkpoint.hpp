@@ -222,6 +222,7 @@ CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path)
 /// run.
 class Checkpoints {
 public:
+    /// @param path the file to write
     /// @param seconds of wall time between two checkpoints
     /// @throws Error now if the folder cannot be written
     Checkpoints(std::filesystem::path path, double seconds) : path_(std::move(path)), seconds_(seconds) {
@@ -234,6 +235,7 @@ public:
     bool due(const Scene& scene) const {
         return std::chrono::duration<double>(Clock::now() - written_).count() >= seconds_ && scene.search_is_due();
     }
+    /// Writes one if it is due.
     template <class Scene>
     void operator()(Scene& scene) {
         (*this)(scene, [] { return CheckpointNotes{}; });

@@ -18,6 +18,7 @@ namespace imbibe {
 
 /// What one column of a table holds.
 struct Column {
+    /// What it is called.
     std::string name;
     /// Its SI unit; empty for a pure number.
     std::string unit = {};

@@ -33,8 +33,11 @@ struct VtkArray {
     std::string name;
     /// The SI unit; stored in the file. May be empty.
     std::string unit;
+    /// Where the numbers are.
     std::variant<const float*, const double*, const std::int32_t*, const std::int64_t*> data;
+    /// How many numbers lie between two components of a particle.
     std::size_t stride = 0;
+    /// Which stored component each written one is; -1: zero.
     std::vector<int> columns = {0};
 
     /// A view of a field of this rank in `dim` = 2 or 3 dimensions, with the order of core/vector.hpp: vectors x, y, z;

@@ -50,9 +50,11 @@ struct PaperSponge {
     struct Sides : Coupling<Water, Vessel, VolumeContinuity<Spiky>, SymmetricPressure<Spiky>,
                             LaminarViscosity<ViscosityKernel>, KernelRepulsion<Spiky>> {};
 
+    /// The scene.
     template <class Real>
     using Scene = Solver<3, Real, StaggeredLeapfrog, Water, Sponge, Vessel, Contact, Sides>;
 
+    /// The scene with its particles. Throws Error for a number of the case that is out of range.
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
         c.check();
@@ -86,6 +88,7 @@ struct PaperSponge {
 /// costs twice as much.
 struct SoundSponge {
     static constexpr const char* name = "sound";
+    /// The kernel of all terms but the guard.
     using K = WendlandC2;
     struct Water : Fluid<LinearState, VolumeContinuity<K>, DensityDiffusion<K>, DensityFloor, VolumePressure<K>,
                          MorrisViscosity<K>, MonaghanViscosity<K>> {};
@@ -97,9 +100,11 @@ struct SoundSponge {
     struct Sides : Coupling<Water, Vessel, Into<Vessel, PressureExtrapolation<K>>, VolumePressure<K>,
                             Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};
 
+    /// The scene.
     template <class Real>
     using Scene = Solver<3, Real, SymplecticEuler, Water, Sponge, Vessel, Contact, Sides>;
 
+    /// The scene with its particles. Throws Error for a number of the case that is out of range.
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
         c.check();

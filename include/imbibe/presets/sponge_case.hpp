@@ -36,9 +36,13 @@ struct SpongeCase {
     double wall_gap = 0; ///< between a pool and the walls, m; `PaperSponge` needs a support radius (K_f)
     int threads = 0;     ///< 0: all of the machine
 
+    /// Rows of pores.
     int rows() const { return strip ? 1 : 5; }
+    /// Of the slab, along x, m.
     double length() const { return 35e-3; }
+    /// Of the slab, along y, m.
     double width() const { return rows() * 7e-3; }
+    /// Of the slab, m.
     double thickness() const { return 4e-3; }
     /// The slab's particles stand for more than its 4 mm: they lie on both faces.
     double solid_layers() const { return thickness() / solid_spacing + 1; }
@@ -49,6 +53,7 @@ struct SpongeCase {
     /// How far the walls reach above the water, m. The block slams down between them and climbs: drops were seen 120 mm
     /// above its top. A pool fills the tank already.
     double walls_above() const { return freeboard > 0 ? freeboard : pool > 0 ? 5e-3 : 120e-3; }
+    /// Of the block or the pool, m.
     double water_height() const { return pool > 0 ? pool : block_height(); }
     /// The greatest speed to be expected: a fall from the top of the water to where it leaves the scene, m/s.
     double fall_speed() const { return std::sqrt(2 * gravity * (water_height() + water_bottom() + drain)); }
@@ -82,6 +87,7 @@ struct SpongeCase {
         require(pool >= 0 && pool < 1, "height of the pool = ", pool,
                 " m; it must be from 0 (the paper's block) to 1 m");
     }
+    /// Where the particles of the water are, m.
     std::vector<Point<3>> water() const {
         if (pool > 0 || strip) {
             const double across = strip ? 0 : wall_gap, low = water_bottom() - water_spacing / 2;
@@ -93,6 +99,7 @@ struct SpongeCase {
         const double height = std::round(block_height() / water_spacing) * water_spacing;
         return fill(Box<3>{{x - side / 2, y - side / 2, z}, {x + side / 2, y + side / 2, z + height}}, water_spacing);
     }
+    /// Where the particles of the sponge are, m.
     std::vector<Point<3>> sponge() const {
         return paper_slab_particles({.pore_radius = pore_radius, .spacing = solid_spacing, .rows = rows()});
     }
@@ -102,6 +109,7 @@ struct SpongeCase {
         const int layers = static_cast<int>(std::ceil(reach / water_spacing - 1e-9));
         return tank(inner, water_spacing, layers, strip ? Sides::y | Sides::z : Sides::z);
     }
+    /// The settings of the scene, with the support radius H, m.
     Settings<3> settings(double support) const {
         Settings<3> s{.gravity = {0, 0, -gravity},
                       .support_radius = support,

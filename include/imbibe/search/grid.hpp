@@ -19,13 +19,14 @@ inline constexpr std::size_t read_beyond = 64;
 /// The coordinates of n particles: x[d][i], d < dim, with `read_beyond` numbers behind them.
 template <int dim, class Real>
 struct Points {
-    std::array<const Real*, static_cast<std::size_t>(dim)> x{};
-    int n = 0;
+    std::array<const Real*, static_cast<std::size_t>(dim)> x{}; ///< x[d][i], m
+    int n = 0;                                                  ///< how many points
 };
 
 /// Sides of the domain that are periodic: `length[d]` > 0 says so, and particles live in [lower, lower + length).
 template <int dim>
 struct Periodic {
+    /// Where a period begins and how long it is, m.
     std::array<double, static_cast<std::size_t>(dim)> lower{}, length{};
 };
 
@@ -41,6 +42,7 @@ Real into_period(Real x, Real lower, Real length) {
 /// The smallest box around a set of points.
 template <int dim>
 struct Bounds {
+    /// The corners of the box, m.
     std::array<double, static_cast<std::size_t>(dim)> lower, upper;
     int not_finite = -1; ///< the index of a point with a coordinate that is not a finite number
 
@@ -48,7 +50,9 @@ struct Bounds {
         lower.fill(1e300);
         upper.fill(-1e300);
     }
+    /// Is there no point in it?
     bool empty() const { return !(lower[0] <= upper[0]); }
+    /// Makes it hold the other box as well.
     void include(const Bounds& b) {
         for (std::size_t d = 0; d < dim; ++d) {
             lower[d] = std::min(lower[d], b.lower[d]);
@@ -147,6 +151,7 @@ public:
     bool wraps(int d) const { return periods.length[static_cast<std::size_t>(d)] > 0; }
     /// The period along d, m; 0 where there is none.
     double length(int d) const { return periods.length[static_cast<std::size_t>(d)]; }
+    /// The number of cells.
     std::size_t cells() const {
         std::size_t product = 1;
         for (int k : n_)
@@ -207,6 +212,7 @@ public:
             order_[next[keys[i]]++] = static_cast<std::uint32_t>(i);
         return false;
     }
+    /// The sorted order, as of the last `sort` that returned false.
     const std::vector<std::uint32_t>& order() const { return order_; }
     /// The first particle of a cell; of the cell after the last one, the number of particles.
     std::uint32_t start(std::size_t cell) const { return start_[cell]; }

@@ -156,6 +156,7 @@ public:
         for_each(a, i, b, [&](int, const auto&, Real) { ++n; });
         return n;
     }
+    /// The number of neighbours of point i in its own set.
     int count(int set, int i) const { return count(set, i, set); }
 
 private:

@@ -11,21 +11,27 @@ namespace imbibe::search {
 
 /// `count` consecutive neighbours from `first` on, seen through periodic image `shift` (0: none).
 struct Run {
-    std::uint32_t first;
-    std::uint16_t count;
-    std::uint16_t shift;
+    std::uint32_t first; ///< in the sorted order
+    std::uint16_t count; ///< how many
+    std::uint16_t shift; ///< the number of the periodic image; 0: none
 };
 
 /// The runs of all particles of one phase in one other (or the same) phase. Kept in blocks of particles so that
 /// threads build and read them independently; memory is reused from step to step.
 class IMBIBE_PER_BUILD RunList {
 public:
+    /// Particles in a block.
     static constexpr int block_size = 256;
 
+    /// The runs of one particle, to loop over.
     struct Range {
+        /// The first.
         const Run* begin_;
+        /// One past the last.
         const Run* end_;
+        /// The first.
         const Run* begin() const { return begin_; }
+        /// One past the last.
         const Run* end() const { return end_; }
     };
 
@@ -43,8 +49,11 @@ public:
             e = 0;
         nothing = true;
     }
+    /// How many particles.
     int size() const { return particles; }
+    /// How many blocks.
     int block_count() const { return static_cast<int>(blocks.size()); }
+    /// The runs of block b, to fill.
     std::vector<Run>& block(int b) { return blocks[static_cast<std::size_t>(b)]; }
     /// Says that the runs of particle i end at `end` in its block, where those of the next one begin.
     void finish(int i, std::uint32_t end) { ends[static_cast<std::size_t>(i)] = end; }

@@ -30,6 +30,7 @@ inline constexpr ArtificialStressOverDensity2 artificial_stress_over_density2{};
 /// The tensile part of a stress, in the axes of the scene: every component by itself, negative ones as zero.
 /// It depends on how the solid lies in these axes.
 struct ComponentWise {
+    /// That part of a stress, Pa.
     template <class T, int dim>
     IMBIBE_INLINE static constexpr SymmetricTensor<T, dim> tension(SymmetricTensor<T, dim> stress) {
         for (int k = 0; k < SymmetricTensor<T, dim>::size; ++k)
@@ -63,6 +64,7 @@ SymmetricTensor<T, dim> principal_tension(const SymmetricTensor<T, dim>& stress)
 /// The tensile part of a stress in its principal axes: sum_k max(lambda_k, 0) n_k n_k^T with the principal stresses
 /// lambda_k and their directions n_k. It turns with the solid. Computed in double whatever the number type.
 struct PrincipalAxes {
+    /// That part of a stress, Pa.
     template <class T, int dim>
     static constexpr SymmetricTensor<T, dim> tension(const SymmetricTensor<T, dim>& stress) {
         if (std::is_constant_evaluated()) // only to see what a term reads: the value does not matter

@@ -12,7 +12,7 @@ struct AfterTheMove {
 };
 /// The velocity gradient is taken in the middle of the motion: integrators that evaluate rates half way.
 struct HalfWay {
-    static constexpr double back = 0;
+    static constexpr double back = 0; ///< it does not
 };
 
 /// S' = Q S Q^T + 2 G dt (e - tr(e)/3 1), in Pa, for a step of dt: the stress is turned by an orthogonal Q, then

@@ -12,13 +12,16 @@ namespace imbibe {
 /// @tparam Items the phases and couplings of the scene
 template <int dim, class... Items>
 struct Composition {
+    /// The phases and couplings as they were given.
     using All = TypeList<Items...>;
+    /// The couplings listed.
     using Couplings = detail::Unique<detail::Filter<detail::KeepCouplings, All>>;
     /// The phases listed. Those a coupling names should be among them: where one is not, it is added, so that after
     /// the rule's one error everything else compiles.
     using Phases = detail::Unique<
         detail::Concat<detail::Filter<detail::KeepPhases, All>, typename detail::PhasesNamed<Couplings>::type>>;
 
+    /// @cond the rules, and the columns and rows of the schedule: read schedule.hpp first
     template <class P>
     static constexpr bool check_listed_once() {
         if constexpr (((std::is_same_v<P, Items> ? 1 : 0) + ...) > 1)
@@ -49,18 +52,23 @@ struct Composition {
                    check_targets<C>(typename detail::TargetsOf<typename C::terms>::type{});
     }
     static constexpr bool items_fit = (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...);
+    /// @endcond
 
+    /// The parts of all terms, each on each phase it writes to.
     using Nodes = typename detail::CollectNodes<dim, Phases, Couplings>::type;
+    /// The fields of a phase: all that a term reads, adds to, sets or stores, and no other.
     template <class P>
     using FieldsOf = typename detail::CollectFields<dim, P, Nodes>::type;
 
     template <class P>
+    /// The position of a phase in `Phases`.
     static constexpr int phase_index = detail::index_of<P, Phases>;
 
     /// Does the phase keep its particles in the order of the stress-free configuration?
     template <class P>
     static constexpr bool keeps_reference = detail::contains<ReferencePosition, FieldsOf<P>>;
 
+    /// @cond
     /// The states a phase advances within the step: all that have a rate, but the velocity.
     template <class List>
     struct AdvancedStates;
@@ -145,10 +153,14 @@ struct Composition {
     template <class N>
     struct KeepEveryStep : std::bool_constant<!N::once> {};
 
+    /// @endcond
+
     /// The rows of every step, and those that are evaluated once when the particles are added.
     using StepRows = detail::Concat<detail::Filter<KeepEveryStep, Nodes>, typename AllAdvances<Phases>::type>;
+    /// The rows that are evaluated once.
     using OnceRows = detail::Filter<KeepOnce, Nodes>;
 
+    /// @cond
     template <class... N>
     static constexpr auto rows(TypeList<N...>) {
         return std::array<Row, sizeof...(N)>{any_row<N>()...};
@@ -188,7 +200,10 @@ struct Composition {
         return bits;
     }
     static constexpr Bits given = given_at_start(Phases{});
+    /// @endcond
+    /// The order of the rows that are evaluated once.
     static constexpr Plan once_plan = schedule(rows(OnceRows{}), given);
+    /// The order of the rows of a step.
     static constexpr Plan plan = schedule(rows(StepRows{}), given | written_by(OnceRows{}));
 
     // ---- what an integrator can ask for: rows, the plan that orders them, what they add to ----
@@ -215,6 +230,7 @@ struct Composition {
         static constexpr Bits added = added_by(Rows{});
         static constexpr bool gravity = true;
     };
+    /// @cond
     // Which rows of a step advance states, with all that their rates are made of; and all others, with what these need.
     static constexpr Bits find_rows_for_states() {
         const auto all = rows(StepRows{});
@@ -238,6 +254,7 @@ struct Composition {
     struct ForStates : std::bool_constant<rows_for_states.test(detail::index_of<N, StepRows>)> {};
     template <class N>
     struct ForForces : std::bool_constant<rows_for_forces.test(detail::index_of<N, StepRows>)> {};
+    /// @endcond
     /// What the rates of states are made of; the states advance at its end.
     struct States {
         using Rows = detail::Filter<ForStates, StepRows>;
@@ -252,6 +269,7 @@ struct Composition {
         static constexpr Bits added = added_by(Rows{});
         static constexpr bool gravity = true;
     };
+    /// @cond
     template <class P>
     struct KeepOwn {
         template <class N>
@@ -266,10 +284,12 @@ struct Composition {
         template <class N>
         struct Other : std::bool_constant<!keep<N>()> {};
     };
+    /// @endcond
     /// The terms of phase P itself, which act on top of what couplings have put into its acceleration.
     template <class P>
     struct OwnTerms {
         using Rows = detail::Filter<KeepOwn<P>::template Own, StepRows>;
+        /// The rows of all others.
         using Others = detail::Filter<KeepOwn<P>::template Other, StepRows>;
         static constexpr Plan plan = schedule(rows(Rows{}), given | written_by(OnceRows{}) | written_by(Others{}));
         static constexpr Bits added = added_by(Rows{}) - columns<P>(TypeList<Rate<Velocity>>{});
@@ -286,6 +306,7 @@ struct Composition {
     };
 
     // ---- the rules ----
+    /// @cond
     template <int c, class... P>
     static constexpr auto field_at_column(TypeList<P...>) {
         return field_in<c, 0, P...>();
@@ -350,6 +371,7 @@ struct Composition {
     static constexpr bool check_neighbourhoods(TypeList<N...>) {
         return (check_neighbourhood<N>() && ...);
     }
+    /// @endcond
     /// True, or a compile error that names the broken rule.
     static constexpr bool valid = items_fit && all_declarations_fit(Nodes{}) && check_neighbourhoods(Nodes{}) &&
                                   check_plan<true>() && check_plan<false>();

@@ -14,6 +14,7 @@ namespace imbibe {
 template <class Composition>
 class Costs;
 
+/// For the composition of a scene in `dim` dimensions with these phases and couplings.
 template <int dim, class... Items>
 class Costs<Composition<dim, Items...>> {
     using Scene = Composition<dim, Items...>;

@@ -18,29 +18,36 @@ namespace imbibe {
 
 /// A set of columns or rows: up to 256 bits.
 struct Bits {
+    /// The bits, 64 in a word.
     std::array<std::uint64_t, 4> words{};
 
+    /// The greatest number of bits.
     static constexpr int capacity = 256;
     /// Bits beyond the capacity are dropped: a scene that needs them is refused as too large.
     constexpr void set(int k) {
         if (k < capacity)
             words[static_cast<std::size_t>(k / 64)] |= std::uint64_t{1} << (k % 64);
     }
+    /// Is bit k set?
     constexpr bool test(int k) const {
         return k < capacity && (words[static_cast<std::size_t>(k / 64)] >> (k % 64) & 1);
     }
+    /// Is one set?
     constexpr bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
+    /// How many are set.
     constexpr int count() const {
         int n = 0;
         for (auto w : words)
             n += std::popcount(w);
         return n;
     }
+    /// The bits of a or b.
     friend constexpr Bits operator|(Bits a, const Bits& b) {
         for (std::size_t k = 0; k < 4; ++k)
             a.words[k] |= b.words[k];
         return a;
     }
+    /// The bits of a and b.
     friend constexpr Bits operator&(Bits a, const Bits& b) {
         for (std::size_t k = 0; k < 4; ++k)
             a.words[k] &= b.words[k];
@@ -52,11 +59,13 @@ struct Bits {
             a.words[k] &= ~b.words[k];
         return a;
     }
+    /// Are they the same?
     friend constexpr bool operator==(const Bits&, const Bits&) = default;
 };
 
 /// One part of one term on one phase: the columns it reads, adds to and sets.
 struct Row {
+    /// Columns.
     Bits reads{}, adds{}, sets{};
     int phase = 0;         ///< the phase it writes to
     bool pair = false;     ///< a sum over neighbours, or a function of one particle
@@ -81,11 +90,11 @@ constexpr Bits with_what_they_read(const std::array<Row, n>& rows, Bits chosen) 
 
 /// One loop: over the particles of a phase, or over their neighbours.
 struct Step {
-    bool sweep = false;
-    int phase = 0;
-    int round = 0;
+    bool sweep = false;         ///< over neighbours, or over particles
+    int phase = 0;              ///< the phase it writes to
+    int round = 0;              ///< the round it belongs to
     std::array<int, 48> rows{}; ///< in the order of evaluation
-    int size = 0;
+    int size = 0;               ///< how many rows
 };
 
 /// What can be wrong with a set of rows.
@@ -93,13 +102,14 @@ enum class Fault { none, nobody_sets, set_twice, cycle, too_large };
 
 /// The order found, or what stands in its way.
 struct Plan {
-    std::array<Step, 48> steps{};
-    int size = 0;
-    int rounds = 0;
-    Fault fault = Fault::none;
+    std::array<Step, 48> steps{}; ///< in the order of evaluation
+    int size = 0;                 ///< how many steps
+    int rounds = 0;               ///< how many rounds
+    Fault fault = Fault::none;    ///< what is wrong
     int column = -1;          ///< the column at fault
     int row = -1, other = -1; ///< the rows at fault
 
+    /// How many steps sweep over the neighbours of a phase.
     constexpr int sweeps(int phase) const {
         int n = 0;
         for (int k = 0; k < size; ++k)

@@ -25,20 +25,30 @@ struct PhaseHandle {};
 template <int dim, class Real_, class Integrator, class... Items>
 class IMBIBE_PER_BUILD Solver {
 public:
+    /// What the compiler worked out: fields, rows, plans.
     using Scene = Composition<dim, Items...>;
     static_assert(dim == 2 || dim == 3);
     static_assert(Scene::valid);
 
+    /// The type of all stored numbers.
     using Real = Real_;
+    /// 2 or 3.
     static constexpr int dimension = dim;
+    /// How many numbers the processor computes at once.
     static constexpr int width = native_width<Real>;
+    /// The phases of the scene.
     using Phases = typename Scene::Phases;
+    /// The couplings of the scene.
     using Couplings = typename Scene::Couplings;
+    /// The fields of a phase.
     template <class P>
     using FieldsOf = typename Scene::template FieldsOf<P>;
+    /// Holds the particles and runs the loops; for integrators and for parts of the library.
     using Engine = detail::Engine<dim, Real, Scene>;
+    /// How the particles of a phase are stored.
     template <class P>
     using State = typename Engine::template State<P>;
+    /// A place, m.
     using Point = Eigen::Matrix<double, dim, 1>;
 
     /// @throws Error for a setting that is not finite or out of range
@@ -151,6 +161,7 @@ public:
     C& coupling() {
         return engine_.template coupling<C>();
     }
+    /// The same, to read.
     template <class C>
     const C& coupling() const {
         return engine_.template coupling<C>();
@@ -161,22 +172,27 @@ public:
     /// One phase of the scene. Its views are valid until the next step: particles are re-sorted.
     template <class P, class S>
     struct PhaseView {
+        /// Where the particles are kept.
         S& state;
         /// A field of all particles, n rows and one column per component, no copy: `scene[water][velocity]`.
         template <class F>
         auto operator[](F f) const {
             return state.view(f);
         }
+        /// How many particles the phase has.
         int size() const { return state.size(); }
         /// ids()[i] is the number particle i had when it was added.
         const std::vector<std::uint32_t>& ids() const { return state.ids; }
+        /// Its material and coefficients, to read or to change.
         auto& material() const { return state.material; }
     };
+    /// A phase of the scene: `scene[water][velocity]` is a view of the velocities of its particles.
     template <class P>
     PhaseView<P, State<P>> operator[](PhaseHandle<P>) {
         require_phase<P>();
         return {engine_.template state<P>()};
     }
+    /// The same, to read.
     template <class P>
     PhaseView<P, const State<P>> operator[](PhaseHandle<P>) const {
         require_phase<P>();
@@ -187,17 +203,23 @@ public:
     auto get() {
         return (*this)[PhaseHandle<P>{}];
     }
+    /// The same, to read.
     template <class P>
     auto get() const {
         return (*this)[PhaseHandle<P>{}];
     }
 
+    /// The time that has passed, s.
     double time() const { return time_; }
+    /// How many steps were taken.
     long long steps() const { return steps_; }
+    /// How many threads it runs on.
     int threads() const { return engine_.threads; }
+    /// The settings it was made with.
     const Settings<dim>& settings() const { return settings_; }
     /// The step that was taken last, and what limited it.
     const TimeStepLimit& last_step() const { return last_step_; }
+    /// How many particles all phases have together.
     long long particles() const {
         long long n = 0;
         engine_.for_each_phase([&](auto, const auto& s) { n += s.size(); });

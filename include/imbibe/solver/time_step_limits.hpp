@@ -12,7 +12,8 @@ namespace imbibe {
 
 /// A limit on the time step: how long, why, and in which phase or coupling.
 struct TimeStepLimit {
-    double seconds;
+    double seconds; ///< the longest stable step, s
+    /// What it comes from, and the phase or coupling.
     std::string reason, where;
 };
 

@@ -36,6 +36,7 @@ struct TimeAveragedMotion {
 /// accelerations, which theirs passes on too, are not needed by the couplings here.
 template <class Fast_>
 struct Subcycled {
+    /// The phase that takes short steps.
     using Fast = Fast_;
 
     template <class Engine>
@@ -46,6 +47,9 @@ struct Subcycled {
         auto& fast = engine.template state<Fast>();
         copy(engine, fast.field(velocity), fast.field(mean_velocity));
     }
+    /// One step of the scene.
+    /// @param engine holds the particles
+    /// @param dt its length, s
     /// @param substeps how many steps `Fast` takes
     template <class Engine>
     static void step(Engine& engine, double dt, int substeps) {
