@@ -2,6 +2,21 @@
 // This header brings everything but the presets.
 #pragma once
 
+/// @namespace imbibe
+/// The library. What begins with a small letter is a function or the constant of a field, all else a type.
+
+/// @namespace imbibe::search
+/// The search for neighbours, which can be used on its own.
+
+/// @namespace imbibe::accuracy
+/// What accuracy costs in time: studies of cases with a reference.
+
+/// @namespace imbibe::presets
+/// Whole compositions with a name.
+
+/// @namespace imbibe::rules
+/// The rules that a scene must keep. Their names stand in the compiler's error where one is broken.
+
 #include <imbibe/accuracy/study.hpp>
 #include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/coupling/modified_repulsion.hpp>

@@ -33,7 +33,10 @@ void require(bool condition, const Parts&... parts) {
 }
 
 /// Throws Error unless `value` is a finite number not below 0.
-/// @param where the phase or coupling, @param name the number in it, @param unit its unit, empty for a pure number
+/// @param value the number
+/// @param where the phase or coupling it belongs to
+/// @param name what it is called there
+/// @param unit its unit, empty for a pure number
 inline void require_not_negative(double value, std::string_view where, std::string_view name, std::string_view unit) {
     const std::string measured = unit.empty() ? std::string() : text(" ", unit);
     require(std::isfinite(value) && value >= 0, where, ": ", name, " = ", value, measured,

@@ -250,6 +250,7 @@ IMBIBE_INLINE constexpr Pack<Real, width> select(Mask<Real, width> where, std::t
     else
         return Pack<Real, width>(static_cast<typename Pack<Real, width>::Lanes>(where.lanes ? a.lanes : b.lanes));
 }
+/// The same for plain numbers.
 template <class A>
     requires std::is_floating_point_v<A>
 IMBIBE_INLINE constexpr A select(bool where, A a, std::type_identity_t<A> b) {
@@ -284,6 +285,7 @@ IMBIBE_INLINE constexpr Pack<Real, width> max(Pack<Real, width> a, std::type_ide
 #endif
         return select(a > b, a, b);
 }
+/// The same for plain numbers.
 template <class A>
     requires std::is_floating_point_v<A>
 IMBIBE_INLINE constexpr A max(A a, std::type_identity_t<A> b) {
@@ -296,6 +298,7 @@ template <class A>
 IMBIBE_INLINE constexpr A min(A a, std::type_identity_t<A> b) {
     return -max(-a, -b);
 }
+/// The same for plain numbers.
 template <class A>
     requires std::is_floating_point_v<A>
 IMBIBE_INLINE constexpr A min(A a, std::type_identity_t<A> b) {
@@ -338,6 +341,7 @@ IMBIBE_INLINE constexpr Pack<Real, width> sqrt(Pack<Real, width> a) {
 #endif
         return detail::lane_by_lane(a, [](Real number) { return detail::scalar_sqrt(number); });
 }
+/// The same for plain numbers.
 template <class A>
     requires std::is_floating_point_v<A>
 IMBIBE_INLINE constexpr A sqrt(A x) {

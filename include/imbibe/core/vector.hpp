@@ -172,6 +172,7 @@ constexpr SymmetricTensor<T, n> symmetric_identity() {
     return t;
 }
 
+/// sum_j t_ij v_j.
 template <class T, int n>
 IMBIBE_INLINE constexpr Vector<T, n> operator*(const Tensor<T, n>& t, const Vector<T, n>& v) {
     Vector<T, n> r{};
@@ -182,6 +183,7 @@ IMBIBE_INLINE constexpr Vector<T, n> operator*(const Tensor<T, n>& t, const Vect
     }
     return r;
 }
+/// sum_j t_ij v_j.
 template <class T, int n>
 IMBIBE_INLINE constexpr Vector<T, n> operator*(const SymmetricTensor<T, n>& t, const Vector<T, n>& v) {
     Vector<T, n> r{};
@@ -192,6 +194,7 @@ IMBIBE_INLINE constexpr Vector<T, n> operator*(const SymmetricTensor<T, n>& t, c
     }
     return r;
 }
+/// sum_k a_ik b_kj.
 template <class T, int n>
 IMBIBE_INLINE constexpr Tensor<T, n> operator*(const Tensor<T, n>& a, const Tensor<T, n>& b) {
     Tensor<T, n> r{};

@@ -132,6 +132,8 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
 ///
 /// The file is written beside its place, forced to the disk and then given its name in one step: whenever the program
 /// ends, there is a whole checkpoint. It begins with a readable description of the scene and ends with a checksum.
+/// @param scene what is written
+/// @param path the file
 /// @param notes numbers of the program that go along
 /// @throws Error when the disk refuses it, or when a coordinate is not a finite number; the earlier checkpoints stay
 template <class Scene>

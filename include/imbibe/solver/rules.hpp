@@ -15,6 +15,7 @@ struct use_fewer_terms_or_raise_the_limits_in_schedule_hpp;
 
 namespace rules {
 
+/// False, whatever it is given.
 template <class...>
 inline constexpr bool never = false;
 

@@ -348,7 +348,9 @@ private:
 
 } // namespace detail
 
-/// Orders the rows. @param given columns that have a value when a step begins. Complexity: rows^2 times rounds.
+/// Orders the rows. Complexity: rows^2 times rounds.
+/// @param rows what is to be ordered
+/// @param given columns that have a value when a step begins
 template <std::size_t n>
 constexpr Plan schedule(const std::array<Row, n>& rows, const Bits& given) {
     return detail::Scheduler<n>(rows, given).run();
