@@ -6,6 +6,7 @@
 #   sh tools/install_packages.sh tests         for the tests as well
 #   sh tools/install_packages.sh clang         for a build with clang++ as well
 #   sh tools/install_packages.sh benchmarks    for the benchmarks as well
+#   sh tools/install_packages.sh docs          for the documentation site as well
 set -eu
 
 packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy python3-matplotlib"
@@ -14,7 +15,8 @@ for group in "$@"; do
         tests) packages="$packages python3-vtk9 pkg-config" ;;
         clang) packages="$packages clang libomp-dev" ;;
         benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind" ;;
-        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks" >&2; exit 2 ;;
+        docs) packages="$packages doxygen linkchecker" ;;
+        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks, docs" >&2; exit 2 ;;
     esac
 done
 

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Pictures of a two-dimensional run from its folder: all phases at several times, one panel each.
+"""Pictures of a two-dimensional run from its folder, or of a slice of one in three dimensions: all phases at several
+times, one panel each.
 
     python3 tools/render_plane.py out-elastic-gate -o gate.png
     python3 tools/render_plane.py out-elastic-gate --times 40 120 400 --fluid water --speed 2 -o gate.png
+    python3 tools/render_plane.py out-dam-break --slice 140 160 -o dam_break.png
 
 Particles are drawn as discs of their own area: the fluid coloured by its speed, walls grey, other phases in one colour.
 """
@@ -30,9 +32,20 @@ def read_arguments():
     parser.add_argument("--walls", nargs="*", default=["tank", "plates", "vessel", "wall"], help="phases drawn in grey")
     parser.add_argument("--speed", type=float, metavar="M/S", help="the speed at the dark end of the scale")
     parser.add_argument("--columns", type=int, default=2, help="panels beside each other (default: 2)")
+    parser.add_argument("--slice", nargs=2, type=float, metavar="MM",
+                        help="in three dimensions: only what lies between these two y, in mm, seen along y")
     parser.add_argument("--title", help="a line above the picture")
     parser.add_argument("--dpi", type=int, default=150)
     return parser.parse_args()
+
+
+def flat(snapshot, between):
+    """A snapshot with points in the plane of the picture; of one in three dimensions, those in the slice."""
+    if between:
+        here = (snapshot.points[:, 1] > between[0] * 1e-3) & (snapshot.points[:, 1] < between[1] * 1e-3)
+        snapshot.arrays = {name: values[here] for name, values in snapshot.arrays.items()}
+        snapshot.points = snapshot.points[here][:, [0, 2]]
+    return snapshot
 
 
 def main():
@@ -45,8 +58,8 @@ def main():
     wanted = np.array(arguments.times) * 1e-3 if arguments.times else np.linspace(times[0], times[-1], arguments.count)
     steps = [int(np.argmin(abs(times - time))) for time in wanted]
 
-    moments = [{name: particle_files.read_snapshot(series[step][1]) for name, series in lists.items()}
-               for step in steps]
+    moments = [{name: flat(particle_files.read_snapshot(series[step][1]), arguments.slice)
+                for name, series in lists.items()} for step in steps]
     speeds = [np.linalg.norm(moment[arguments.fluid].arrays["velocity"], axis=1) for moment in moments]
     fastest = arguments.speed or max(np.percentile(speed, 99.5) for speed in speeds) or 1.0
     everything = np.vstack([snapshot.points for moment in moments for snapshot in moment.values()])

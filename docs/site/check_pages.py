@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""Checks the pages (README.md, CONTRIBUTING.md, CHANGELOG.md, docs/*.md) against what they speak of:
+
+- every block of C++ is cut from a file that is compiled. The line before it names the file:
+      <!-- examples/dam_break.cpp -->                                        lines that stand there one after the other
+      <!-- examples/dam_break.cpp: begin. This is the text of that file. --> all of it, up to <!-- ...: end -->
+- every program and script that a block of commands calls is there, and so is every target it builds;
+- every term has its place in docs/policies.md;
+- every link to a file, a page or a heading has where to go.
+
+    python3 docs/site/check_pages.py             says what is wrong, one line each
+    python3 docs/site/check_pages.py --write     copies the whole files anew to where they are shown
+"""
+
+import glob
+import os
+import re
+import sys
+
+from costs import HEADERS, ROOT, lines_of
+from filter import slug
+
+COMPILED = ("examples/", "tests/", "benchmarks/", "include/")
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+CUT = re.compile(r"<!-- (\S+) -->\n\Z")
+WHOLE = re.compile(r"<!-- (\S+[.][ch]pp): begin[^\n]*-->\n\Z")
+WHOLE_BLOCK = re.compile(r"(<!-- (\S+[.][ch]pp): begin[^\n]*-->\n).*?(<!-- \2: end -->)", re.DOTALL)
+
+
+def text_of(path):
+    with open(os.path.join(ROOT, path)) as file:
+        return file.read()
+
+
+def is_compiled(path):
+    return path.startswith(COMPILED) and path.endswith((".cpp", ".hpp")) and os.path.exists(os.path.join(ROOT, path))
+
+
+def faults_of_code(code, before, after):
+    """What is wrong with a block of C++, given the text around it."""
+    if whole := WHOLE.search(before):
+        if not is_compiled(whole[1]):
+            yield f"shows {whole[1]}, which is not compiled"
+        elif not after.startswith(f"\n<!-- {whole[1]}: end -->") or code != text_of(whole[1]):
+            yield f"does not show the text of {whole[1]}; python3 docs/site/check_pages.py --write copies it there"
+    elif cut := CUT.search(before):
+        if not is_compiled(cut[1]):
+            yield f"cites {cut[1]}, which is not compiled"
+        elif "\n" + code not in "\n" + text_of(cut[1]):
+            yield f"shows lines that {cut[1]} does not have"
+    else:
+        yield "shows C++ and does not say from which compiled file"
+
+
+def programs():
+    """The names of all programs that can be built, and the folders they are in, below that of the build."""
+    for path in glob.glob(os.path.join(ROOT, "examples", "**", "*.cpp"), recursive=True):
+        folder, name = os.path.split(os.path.relpath(path, os.path.join(ROOT, "examples"))[:-4])
+        if folder != "support":
+            yield {"guides": "guide_"}.get(folder, f"{folder}_" if folder else "") + name
+    for path in glob.glob(os.path.join(ROOT, "benchmarks", "*.cpp")):
+        name = os.path.basename(path)[:-4]
+        yield from ([f"benchmarks/{name}", name] if name != "bench_widths" else
+                    [f"benchmarks/{name}_{it}" for it in ("sse2", "avx2", "avx512")])
+
+
+def faults_of_commands(code, known):
+    for called in re.findall(r"(?:^|[\s;&(])build[\w-]*/([\w/]+)", code):
+        if called != "benchmarks" and called not in known:
+            yield f"calls {called}, a program that is not built"
+    for script in re.findall(r"(?:^|[\s;&(])((?:tools|docs|\.ci)/[\w./-]+\.(?:py|sh))", code):
+        if not os.path.exists(os.path.join(ROOT, script)):
+            yield f"calls {script}, which is not there"
+    for targets in re.findall(r"--target((?: [\w]+)+)", code):
+        for target in targets.split():
+            if target not in known | {"count_instructions", "all_verify_interface_header_sets", "docs"}:
+                yield f"builds {target}, which is not there"
+
+
+def faults_of_the_list(text):
+    for path in sorted(glob.glob(os.path.join(HEADERS, "*", "*.hpp"))):
+        with open(path) as file:
+            for name, body in re.findall(r"^struct (\w+)[^\n]*\{\n(.*?)^\};", file.read(), re.MULTILINE | re.DOTALL):
+                is_term = re.search(r"^    using (?:parts|reads|adds|sets|stores) =", body, re.MULTILINE)
+                if is_term and not re.search(rf"`{name}\b", text):
+                    yield f"does not have {name}"
+
+
+def headings(path):
+    """The anchors of a page."""
+    found, in_code = set(), False
+    for line in lines_of(path):
+        if line.startswith("```"):
+            in_code = not in_code
+        elif line.startswith("#") and not in_code:
+            found.add(slug(line.lstrip("# ")))
+    return found
+
+
+def faults_of_links(text, page):
+    prose = re.sub(r"`[^`\n]*`", "", FENCE.sub("", text))
+    for target, anchor in re.findall(r"\]\(([^)\s#]*)(?:#([^)\s]*))?\)", prose):
+        if re.match(r"\w+:", target):
+            continue
+        path = os.path.join(ROOT, os.path.dirname(page), target) if target else os.path.join(ROOT, page)
+        if not os.path.exists(path):
+            yield f"links to {target}, which is not there"
+        elif anchor and anchor not in headings(path):
+            yield f"links to {target}#{anchor}, a heading that is not there"
+
+
+def main():
+    pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md",
+             *sorted(os.path.relpath(it, ROOT) for it in glob.glob(os.path.join(ROOT, "docs", "*.md")))]
+    known, faults, blocks = set(programs()), [], 0
+    for page in pages:
+        text = text_of(page)
+        if sys.argv[1:] == ["--write"]:
+            text = WHOLE_BLOCK.sub(lambda it: f"{it[1]}```cpp\n{text_of(it[2])}```\n{it[3]}", text)
+            with open(os.path.join(ROOT, page), "w") as file:
+                file.write(text)
+        found = [(0, it) for it in faults_of_links(text, page)]
+        if page == os.path.join("docs", "policies.md"):
+            found += [(0, it) for it in faults_of_the_list(text)]
+        if len(re.findall(r"^```", text, re.MULTILINE)) != 2 * len(FENCE.findall(text)):
+            found.append((0, "has a block of code that does not end"))
+        for block in FENCE.finditer(text):
+            line = text.count("\n", 0, block.start()) + 1
+            if block[1] == "cpp":
+                blocks += 1
+                found += [(line, it) for it in faults_of_code(block[2], text[:block.start()], text[block.end():])]
+            elif block[1] == "sh":
+                found += [(line, it) for it in faults_of_commands(block[2], known)]
+        faults += [f"{page}:{line}: {what}" if line else f"{page}: {what}" for line, what in found]
+    print("\n".join(faults) or f"{len(pages)} pages, {blocks} blocks of C++")
+    return 1 if faults or not blocks else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
