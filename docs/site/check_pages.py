@@ -113,6 +113,9 @@ def main():
     pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md",
              *sorted(os.path.relpath(it, ROOT) for it in glob.glob(os.path.join(ROOT, "docs", "*.md")))]
     known, faults, blocks = set(programs()), [], 0
+    faults += [f"{page} is not among the pages of docs/site/Doxyfile.in" for page in pages
+               if not re.search(rf"^INPUT .*^ +{page} ", text_of("docs/site/Doxyfile.in"), re.MULTILINE | re.DOTALL)
+               and page != "README.md"]
     for page in pages:
         text = text_of(page)
         if sys.argv[1:] == ["--write"]:

@@ -97,9 +97,10 @@ def header(lines):
     for number, line in enumerate(lines):
         words = line.strip()
         if words.startswith("///"):
+            line = readable(line, first=not comment)
             comment.append(words)
             below = lines[number + 1:number + 4]
-            if line == words and not below[0].startswith("///"):
+            if lines[number] == words and not below[0].startswith("///"):
                 named = re.search(r"^struct (\w+)", "\n".join(below), re.MULTILINE)
                 if named and named[1] in cost:
                     line = "\n".join([line, "///", *(f"/// {it}" for it in cost[named[1]])])
@@ -118,6 +119,14 @@ def header(lines):
             yield line
         if not words.startswith(("template", "requires")):
             comment = []
+
+
+def readable(line, first):
+    """A line of a comment so that Doxygen neither takes the dot of a product for the end of a sentence nor makes the
+    first letter of an equation a capital."""
+    line = re.sub(r"(?<=[\w)\]*]) \. (?=[\w(\[])|(?<=[\w)])\.(?=[(\[]|grad_|x\b|x_)", " · ", line)
+    line = line.replace("St. Venant", r"St.\ Venant")
+    return re.sub(r"^( *///<? )(?=[a-z])", "\\1\u200b", line) if first else line
 
 
 def commented(line, otherwise):
