@@ -106,7 +106,7 @@ def header(lines):
                     line = "\n".join([line, "///", *(f"/// {it}" for it in cost[named[1]])])
             yield line
             continue
-        struct = re.match(r"struct (\w+)(?: :.*)? \{", words)
+        struct = re.match(r"struct (\w+)(?:(?: :.*)? \{| :.*,$)", words)
         if struct and line == words:
             effect = struct[1]
         several = re.match(SEVERAL, words)
