@@ -17,12 +17,7 @@ public:
 
     /// One snapshot of the scene as it is.
     template <class Scene>
-    void operator()(const Scene& scene) {
-        scene.engine().for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
-            write<typename Scene::Scene, P, Scene::dimension>(s, scene.time(), scene.settings().origin,
-                                                              typename Scene::template FieldsOf<P>{});
-        });
-    }
+    void operator()(const Scene& scene);
 
     /// How many snapshots there are of the phase that has the most.
     std::size_t size() const {
@@ -68,7 +63,7 @@ private:
         for (std::size_t d = 0; d < dim; ++d)
             if (origin[d] != 0)
                 file.constant(names[d], origin[d]);
-        series(file_name<P>()).write(seconds, file);
+        series(file_name<P>()).write(seconds, std::move(file));
     }
     template <class Composition, class P, int dim, class F, class State>
     static void add(VtkFile& file, const State& s) {
@@ -77,5 +72,14 @@ private:
             file.add(VtkArray::of(std::string(F::name), std::string(F::unit), F::rank, dim, s.field(F{}), s.stride()));
     }
 };
+
+// Out of the class: a program may leave it to a library (`extern template`).
+template <class Scene>
+void Snapshots::operator()(const Scene& scene) {
+    scene.engine().for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
+        write<typename Scene::Scene, P, Scene::dimension>(s, scene.time(), scene.settings().origin,
+                                                          typename Scene::template FieldsOf<P>{});
+    });
+}
 
 } // namespace imbibe

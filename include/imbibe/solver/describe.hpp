@@ -10,29 +10,46 @@ namespace imbibe {
 
 namespace detail {
 
-/// The name of a type with its template arguments, without the library's namespaces.
+/// What the compiler calls this function: the name of T is in it.
 template <class T>
-std::string full_type_name() {
-    std::string all = __PRETTY_FUNCTION__;
-    const auto begin = all.find("T = ") + 4;
-    all = all.substr(begin, all.find_last_of("];") - begin);
-    all = all.substr(0, all.find("; std::string"));
+constexpr std::string_view signature() {
+    return __PRETTY_FUNCTION__;
+}
+/// The name of the type in a signature, with its template arguments, without the library's namespaces.
+[[gnu::noinline]] inline std::string full_type_name(std::string_view function) {
+    const auto begin = function.find("T = ") + 4;
+    std::string all(function.substr(begin, function.find_last_of("];") - begin));
+    all = all.substr(0, all.find("; std::string_view"));
     for (const char* noise : {"imbibe::presets::", "imbibe::", "{}", "()"})
         for (auto at = all.find(noise); at != std::string::npos; at = all.find(noise))
             all.erase(at, std::string_view(noise).size());
     return all;
 }
+[[gnu::noinline]] inline std::string type_names(std::initializer_list<std::string_view> signatures) {
+    std::string names;
+    for (const auto& one : signatures)
+        names += (names.empty() ? "" : ", ") + full_type_name(one);
+    return names.empty() ? "none" : names;
+}
 template <class... Term>
 std::string names_of(TypeList<Term...>) {
-    std::string names;
-    ((names += (names.empty() ? "" : ", ") + full_type_name<Term>()), ...);
-    return names.empty() ? "none" : names;
+    return type_names({signature<Term>()...});
+}
+[[gnu::noinline]] inline std::string listed(std::initializer_list<std::string_view> words) {
+    std::string all;
+    for (const auto& word : words)
+        all.append(all.empty() ? "" : ", ").append(word);
+    return all;
 }
 template <class... F>
 std::string field_names(TypeList<F...>) {
-    std::string names;
-    ((names += (names.empty() ? "" : ", ") + std::string(F::name)), ...);
-    return names;
+    return listed({F::name...});
+}
+[[gnu::noinline]] inline std::string limits_in_words(const std::vector<TimeStepLimit>& limits) {
+    std::string words;
+    for (const TimeStepLimit& limit : limits)
+        words += text(" ", limit.seconds, " s (", limit.reason, ", ", limit.where, ");");
+    return words;
 }
 
 } // namespace detail
@@ -42,49 +59,42 @@ std::string field_names(TypeList<F...>) {
 template <class Scene>
 std::string describe(Scene& scene) {
     using Composition = typename Scene::Scene;
+    using Real = typename Scene::Real;
     scene.prepare();
-    std::ostringstream out;
-    out << "Scene in " << Scene::dimension << "D, " << (sizeof(typename Scene::Real) == 4 ? "float" : "double")
-        << " in packs of " << Scene::width << ", " << scene.threads() << (scene.threads() == 1 ? " thread" : " threads")
-        << ", " << scene.particles() << " particles, support radius " << scene.settings().support_radius * 1e3
-        << " mm\n";
+    std::string out =
+        text("Scene in ", Scene::dimension, "D, ", sizeof(Real) == 4 ? "float" : "double", " in packs of ",
+             Scene::width, ", ", scene.threads(), scene.threads() == 1 ? " thread" : " threads", ", ",
+             scene.particles(), " particles, support radius ", scene.settings().support_radius * 1e3, " mm\n");
     const auto& engine = scene.engine();
     engine.for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
-        out << "  " << detail::type_name<P>() << ": " << s.size() << " particles, spacing " << s.material.spacing * 1e3
-            << " mm, " << State::component_total * sizeof(typename Scene::Real)
-            << " bytes each\n    effects: " << detail::names_of(typename P::terms{})
-            << "\n    fields:  " << detail::field_names(typename Scene::template FieldsOf<P>{})
-            << "\n    sweeps:  " << Composition::plan.sweeps(Composition::template phase_index<P>) << " a step\n";
+        out += text("  ", detail::type_name<P>(), ": ", s.size(), " particles, spacing ", s.material.spacing * 1e3,
+                    " mm, ", State::component_total * sizeof(Real),
+                    " bytes each\n    effects: ", detail::names_of(typename P::terms{}),
+                    "\n    fields:  ", detail::field_names(typename Scene::template FieldsOf<P>{}),
+                    "\n    sweeps:  ", Composition::plan.sweeps(Composition::template phase_index<P>), " a step\n");
     });
     const auto coupling = [&]<class C>(std::type_identity<C>) {
-        out << "  " << detail::type_name<C>() << " (" << detail::type_name<typename C::First>() << ", "
-            << detail::type_name<typename C::Second>() << "): " << detail::names_of(typename C::terms{}) << "\n";
+        out += text("  ", detail::type_name<C>(), " (", detail::type_name<typename C::First>(), ", ",
+                    detail::type_name<typename C::Second>(), "): ", detail::names_of(typename C::terms{}), "\n");
     };
     [&]<class... C>(TypeList<C...>) { (coupling(std::type_identity<C>{}), ...); }(typename Scene::Couplings{});
-    out << "Schedule: " << Composition::plan.rounds << " rounds, " << Composition::plan.size << " loops\n";
-    out << "Memory: " << static_cast<double>(engine.particle_bytes()) * 1e-6 << " MB for particles, "
-        << static_cast<double>(engine.list_bytes()) * 1e-6 << " MB for neighbours\n";
+    out += text("Schedule: ", Composition::plan.rounds, " rounds, ", Composition::plan.size,
+                " loops\nMemory: ", static_cast<double>(engine.particle_bytes()) * 1e-6, " MB for particles, ",
+                static_cast<double>(engine.list_bytes()) * 1e-6, " MB for neighbours\n");
     engine.for_each_link([&]<class L>(const L& link) {
         const double mean = engine.mean_neighbours(link);
         if (mean > 0)
-            out << "Neighbours: " << detail::type_name<typename L::A>() << " has " << mean << " of "
-                << detail::type_name<typename L::B>() << (L::reference ? " (reference)" : "") << " on average\n";
+            out += text("Neighbours: ", detail::type_name<typename L::A>(), " has ", mean, " of ",
+                        detail::type_name<typename L::B>(), L::reference ? " (reference)" : "", " on average\n");
     });
-    const auto list = [&](const auto& limits) {
-        for (const auto& limit : limits)
-            out << " " << limit.seconds << " s (" << limit.reason << ", " << limit.where << ");";
-    };
-    out << "Time step:";
-    list(scene.time_step_limits());
-    if constexpr (Scene::subcycles) {
-        out << "\n  within it:";
-        list(scene.substep_limits());
-    }
+    out += "Time step:" + detail::limits_in_words(scene.time_step_limits());
+    if constexpr (Scene::subcycles)
+        out += "\n  within it:" + detail::limits_in_words(scene.substep_limits());
     const auto next = scene.next_step();
-    out << "\n  first step " << next.seconds << " s, from " << next.reason << " (" << next.where << ")\n";
+    out += text("\n  first step ", next.seconds, " s, from ", next.reason, " (", next.where, ")\n");
     for (const auto& warning : scene.warnings())
-        out << "Warning: " << warning << "\n";
-    return out.str();
+        out += "Warning: " + warning + "\n";
+    return out;
 }
 
 /// How long the run to `end` would take at the pace of `steps` steps of a copy of the scene, wall seconds. Contacts

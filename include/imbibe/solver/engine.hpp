@@ -1,7 +1,6 @@
 // The engine of a scene: the plan of its composition turned into loops over particles and neighbours.
 #pragma once
 
-#include <imbibe/core/parallel.hpp>
 #include <imbibe/solver/motion.hpp>
 #include <imbibe/solver/sweep.hpp>
 
@@ -47,12 +46,16 @@ private:
         const auto clear = [&]<class G>(std::type_identity<G>) {
             constexpr bool starts_from_gravity = What::gravity && std::is_same_v<G, Rate<Velocity>>;
             if constexpr (What::added.test(Scene::template column<P, G>) || starts_from_gravity)
-                parallel_for(components(G::rank, dim), threads_for(s.size(), this->threads), [&](int k) {
-                    const Real start = starts_from_gravity ? static_cast<Real>(this->gravity[k % dim]) : Real(0);
-                    std::fill_n(s.column(component_offset<dim, G, List> + k), s.size(), start);
-                });
+                clear_columns(s.field(G{}), s.stride(), s.size(), components(G::rank, dim), starts_from_gravity);
         };
         (clear(std::type_identity<F>{}), ...);
+    }
+    [[gnu::noinline]] void clear_columns(Real* first, std::size_t stride, int n, int columns, bool from_gravity) {
+        const auto one = [&](int k) {
+            const Real start = from_gravity ? static_cast<Real>(this->gravity[k % dim]) : Real(0);
+            std::fill_n(first + static_cast<std::size_t>(k) * stride, n, start);
+        };
+        loop(columns, threads_for(n, this->threads), Callable<void(int)>(one));
     }
 
     template <class What, std::size_t... k>
@@ -92,8 +95,8 @@ private:
     template <class P, class... N>
     void particle_loop(TypeList<N...>) {
         auto& s = this->template state<P>();
-        parallel_blocks(s.size(), 2048, this->threads,
-                        [&](int begin, int end) { (particle_block<N>(s, begin, end), ...); });
+        const auto block = [&](int begin, int end) { (particle_block<N>(s, begin, end), ...); };
+        loop_blocks(s.size(), 2048, this->threads, Callable<void(int, int)>(block));
     }
     template <class N, class S>
     void particle_block(S& s, int begin, int end) {
@@ -150,10 +153,11 @@ private:
         const bool nothing_near = (source_is_absent<P, S>() && ...);
         if (nothing_near)
             return;
-        parallel_blocks(s.size(), search::RunList::block_size, this->threads, [&](int begin, int end) {
+        const auto block = [&](int begin, int end) {
             sweep_block<P, Adds, TypeList<N...>, S...>(s, sources, parts, begin, end,
                                                        std::make_index_sequence<sizeof...(S)>{});
-        });
+        };
+        loop_blocks(s.size(), search::RunList::block_size, this->threads, Callable<void(int, int)>(block));
     }
     template <class P, class Adds, class Nodes, class... S, class Sources, class AllParts, std::size_t... k>
     void sweep_block(State<P>& s, const Sources& sources, const AllParts& parts, int begin, int end,

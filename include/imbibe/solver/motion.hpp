@@ -5,6 +5,14 @@
 
 namespace imbibe::detail {
 
+/// The greatest speed and acceleration of all blocks of n particles.
+[[gnu::noinline]] IMBIBE_PER_BUILD inline Motion greatest(int n, int threads,
+                                                          const Callable<Motion(int, int)>& of_block) {
+    return parallel_reduce(n, threads, Motion{}, of_block, [](const Motion& one, const Motion& other) {
+        return Motion{std::max(one.speed, other.speed), std::max(one.acceleration, other.acceleration)};
+    });
+}
+
 template <int dim, class Real, class Scene>
 class IMBIBE_PER_BUILD Mover : public Neighbourhood<dim, Real, Scene> {
     using Base = Neighbourhood<dim, Real, Scene>;
@@ -160,28 +168,24 @@ private:
         Real* v = s.field(velocity);
         const Real* a = s.field(acceleration);
         const std::size_t stride = s.stride();
-        return parallel_reduce(
-            s.size(), this->threads, Motion{},
-            [&](int begin, int end) {
-                Real speed2 = 0, acceleration2 = 0;
-                for (int i = begin; i < end; ++i) {
-                    Real free = 1, v2 = 0, a2 = 0;
-                    if constexpr (contains<Mobility, List>)
-                        free = s.field(mobility)[i];
-                    for (std::size_t d = 0; d < dim; ++d) {
-                        const std::size_t k = d * stride + static_cast<std::size_t>(i);
-                        v[k] = old[k] + by * free * a[k];
-                        v2 += v[k] * v[k];
-                        a2 += free * a[k] * a[k];
-                    }
-                    speed2 = std::max(speed2, v2);
-                    acceleration2 = std::max(acceleration2, a2);
+        const auto block = [&](int begin, int end) {
+            Real speed2 = 0, acceleration2 = 0;
+            for (int i = begin; i < end; ++i) {
+                Real free = 1, v2 = 0, a2 = 0;
+                if constexpr (contains<Mobility, List>)
+                    free = s.field(mobility)[i];
+                for (std::size_t d = 0; d < dim; ++d) {
+                    const std::size_t k = d * stride + static_cast<std::size_t>(i);
+                    v[k] = old[k] + by * free * a[k];
+                    v2 += v[k] * v[k];
+                    a2 += free * a[k] * a[k];
                 }
-                return Motion{std::sqrt(static_cast<double>(speed2)), std::sqrt(static_cast<double>(acceleration2))};
-            },
-            [](const Motion& one, const Motion& other) {
-                return Motion{std::max(one.speed, other.speed), std::max(one.acceleration, other.acceleration)};
-            });
+                speed2 = std::max(speed2, v2);
+                acceleration2 = std::max(acceleration2, a2);
+            }
+            return Motion{std::sqrt(static_cast<double>(speed2)), std::sqrt(static_cast<double>(acceleration2))};
+        };
+        return greatest(s.size(), this->threads, Callable<Motion(int, int)>(block));
     }
     template <class P, class List>
     void measure(const PhaseState<P, List, dim, Real>&, const Motion& motion) {
@@ -199,7 +203,7 @@ private:
     // position = old + dt * (velocity + transport correction).
     template <class P, class List>
     void advance_positions(PhaseState<P, List, dim, Real>& s, const Real* old, double dt) {
-        parallel_blocks(s.size(), 4096, this->threads, [&](int begin, int end) {
+        const auto block = [&](int begin, int end) {
             const Real by = static_cast<Real>(dt);
             for (int d = 0; d < dim; ++d) {
                 Real* x = s.column(component_offset<dim, Position, List> + d);
@@ -214,7 +218,8 @@ private:
                     x[i] = x0[i] + by * speed;
                 }
             }
-        });
+        };
+        loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
     }
 };
 

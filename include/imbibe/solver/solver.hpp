@@ -74,55 +74,7 @@ public:
     /// @throws Error for a material or spacing out of range, a coordinate that is not finite, and two particles of the
     /// phase nearer than 1e-3 spacings; the scene is then as it was
     template <class P>
-    PhaseHandle<P> add(const P& material, const std::vector<Point>& points, double spacing) {
-        require_phase<P>();
-        const std::string name = detail::type_name<P>();
-        material.check(name);
-        require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
-        const double support = material.support_radius == 0 ? settings_.support_radius : material.support_radius;
-        require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
-                " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
-        for (double length : settings_.periodic_length)
-            require(length == 0 || length >= support, name, ": support_radius = ", support,
-                    " m is longer than a period of ", length, " m; a particle would see its neighbours twice");
-        for (std::size_t k = 0; k < points.size(); ++k)
-            for (int d = 0; d < dim; ++d)
-                require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
-                        "; all coordinates must be finite numbers, m");
-        auto& s = engine_.template state<P>();
-        require(s.size() == 0 || s.material.spacing == spacing, name, ": particles were added with spacing ",
-                s.material.spacing, " m before and ", spacing, " m now; use a second phase for a second spacing");
-        require(s.size() == 0 || s.material.density == material.density, name, ": particles were added with density ",
-                s.material.density, " kg/m^3 before and ", material.density,
-                " kg/m^3 now; use a second phase for a second material");
-        const std::vector<Point> places = stored_places(points);
-        require_distinct_in(s, places, spacing, name);
-        if (s.size() == 0) {
-            s.material = material;
-            s.material.spacing = spacing;
-            s.material.support_radius = support;
-        }
-        note_warnings(s.material, name);
-        const int before = s.size();
-        s.resize(before + static_cast<int>(points.size()));
-        const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
-        for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-            const Point& x = places[static_cast<std::size_t>(k)];
-            const int i = before + k;
-            for (int d = 0; d < dim; ++d) {
-                s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(x[d]);
-                if constexpr (State<P>::keeps_reference)
-                    s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(x[d]);
-            }
-            s.field(mass)[i] = static_cast<Real>(material.density * cell);
-            if constexpr (detail::contains<Density, FieldsOf<P>>)
-                s.field(density)[i] = static_cast<Real>(material.density);
-            if constexpr (detail::contains<Mobility, FieldsOf<P>>)
-                s.field(mobility)[i] = Real(1);
-        }
-        prepared_ = false;
-        return {};
-    }
+    PhaseHandle<P> add(const P& material, const std::vector<Point>& points, double spacing);
     /// Holds the particles of a phase whose position fulfils `held`: they stop and stay. The phase must list the term
     /// `Clamped`. Returns how many they are.
     template <class P, class Held>
@@ -233,12 +185,7 @@ public:
     // ---- running it ----
 
     /// All limits on the next step, without the CFL number, shortest first.
-    std::vector<TimeStepLimit> time_step_limits() const {
-        detail::TimeStepLimits<Engine> limits(engine_);
-        add_phases(limits, Phases{});
-        add_couplings(limits, Couplings{});
-        return std::move(limits).sorted();
-    }
+    std::vector<TimeStepLimit> time_step_limits() const;
     /// Does one phase take shorter steps than the others (time/subcycled.hpp)?
     static constexpr bool subcycles = requires { typename Integrator::Fast; };
     /// The limits on the steps of the phase that is sub-cycled, without the CFL number, shortest first.
@@ -329,20 +276,7 @@ public:
     }
     /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
     /// by itself.
-    void prepare() {
-        if (prepared_)
-            return;
-        require(particles() > 0, "the scene has no particles; add some before the first step");
-        check_phases(Phases{});
-        check_couplings(Couplings{});
-        engine_.find_reference_neighbours();
-        engine_.search_neighbours();
-        engine_.template run<typename Scene::Once>(0);
-        if constexpr (requires { Integrator::start(engine_); })
-            Integrator::start(engine_);
-        engine_.measure_motion();
-        prepared_ = true;
-    }
+    void prepare();
 
 private:
     Settings<dim> settings_;
@@ -354,28 +288,7 @@ private:
     TimeStepLimit last_step_{0, "none yet", "start"};
     std::vector<std::string> warnings_;
 
-    void take(const TimeStepLimit& chosen) {
-        last_step_ = chosen;
-        try {
-            if constexpr (subcycles) {
-                const double within = settings_.cfl * shortest(substep_limits()).seconds;
-                const double count = std::ceil(chosen.seconds / within * (1 - 1e-9));
-                require(count < 1e6, "a step of ", chosen.seconds, " s asks for ", count, " steps of ", within, " s (",
-                        shortest(substep_limits()).reason, ") of phase ",
-                        detail::type_name<typename Integrator::Fast>(), "; at most a million are taken");
-                substeps_ = std::max(1, static_cast<int>(count));
-                Integrator::step(engine_, chosen.seconds, substeps_);
-            } else {
-                Integrator::step(engine_, chosen.seconds);
-            }
-        } catch (const Error& error) {
-            throw Error(text(error.what(), "; step ", steps_, ", time ", time_, " s, time step ", chosen.seconds,
-                             " s limited by ", chosen.reason, " (", chosen.where, "). The shortest limit is ",
-                             describe_shortest(), "; a step well below it is the first remedy to try"));
-        }
-        time_ += chosen.seconds;
-        ++steps_;
-    }
+    void take(const TimeStepLimit& chosen);
     TimeStepLimit shortest(const std::vector<TimeStepLimit>& limits) const {
         return limits.empty() ? TimeStepLimit{settings_.max_time_step, "max_time_step", "settings"} : limits.front();
     }
@@ -481,5 +394,108 @@ private:
         (limits.template add_coupling<C>(), ...);
     }
 };
+
+// Functions of some length, out of the class: a program may leave them to a library (`extern template`).
+
+template <int dim, class Real_, class Integrator, class... Items>
+template <class P>
+PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, const std::vector<Point>& points,
+                                                             double spacing) {
+    require_phase<P>();
+    const std::string name = detail::type_name<P>();
+    material.check(name);
+    require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
+    const double support = material.support_radius == 0 ? settings_.support_radius : material.support_radius;
+    require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
+            " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
+    for (double length : settings_.periodic_length)
+        require(length == 0 || length >= support, name, ": support_radius = ", support,
+                " m is longer than a period of ", length, " m; a particle would see its neighbours twice");
+    for (std::size_t k = 0; k < points.size(); ++k)
+        for (int d = 0; d < dim; ++d)
+            require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
+                    "; all coordinates must be finite numbers, m");
+    auto& s = engine_.template state<P>();
+    require(s.size() == 0 || s.material.spacing == spacing, name, ": particles were added with spacing ",
+            s.material.spacing, " m before and ", spacing, " m now; use a second phase for a second spacing");
+    require(s.size() == 0 || s.material.density == material.density, name, ": particles were added with density ",
+            s.material.density, " kg/m^3 before and ", material.density,
+            " kg/m^3 now; use a second phase for a second material");
+    const std::vector<Point> places = stored_places(points);
+    require_distinct_in(s, places, spacing, name);
+    if (s.size() == 0) {
+        s.material = material;
+        s.material.spacing = spacing;
+        s.material.support_radius = support;
+    }
+    note_warnings(s.material, name);
+    const int before = s.size();
+    s.resize(before + static_cast<int>(points.size()));
+    const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
+    for (int k = 0; k < static_cast<int>(points.size()); ++k) {
+        const Point& x = places[static_cast<std::size_t>(k)];
+        const int i = before + k;
+        for (int d = 0; d < dim; ++d) {
+            s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(x[d]);
+            if constexpr (State<P>::keeps_reference)
+                s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(x[d]);
+        }
+        s.field(mass)[i] = static_cast<Real>(material.density * cell);
+        if constexpr (detail::contains<Density, FieldsOf<P>>)
+            s.field(density)[i] = static_cast<Real>(material.density);
+        if constexpr (detail::contains<Mobility, FieldsOf<P>>)
+            s.field(mobility)[i] = Real(1);
+    }
+    prepared_ = false;
+    return {};
+}
+
+template <int dim, class Real_, class Integrator, class... Items>
+std::vector<TimeStepLimit> Solver<dim, Real_, Integrator, Items...>::time_step_limits() const {
+    detail::TimeStepLimits<Engine> limits(engine_);
+    add_phases(limits, Phases{});
+    add_couplings(limits, Couplings{});
+    return std::move(limits).sorted();
+}
+
+template <int dim, class Real_, class Integrator, class... Items>
+void Solver<dim, Real_, Integrator, Items...>::prepare() {
+    if (prepared_)
+        return;
+    require(particles() > 0, "the scene has no particles; add some before the first step");
+    check_phases(Phases{});
+    check_couplings(Couplings{});
+    engine_.find_reference_neighbours();
+    engine_.search_neighbours();
+    engine_.template run<typename Scene::Once>(0);
+    if constexpr (requires { Integrator::start(engine_); })
+        Integrator::start(engine_);
+    engine_.measure_motion();
+    prepared_ = true;
+}
+
+template <int dim, class Real_, class Integrator, class... Items>
+void Solver<dim, Real_, Integrator, Items...>::take(const TimeStepLimit& chosen) {
+    last_step_ = chosen;
+    try {
+        if constexpr (subcycles) {
+            const double within = settings_.cfl * shortest(substep_limits()).seconds;
+            const double count = std::ceil(chosen.seconds / within * (1 - 1e-9));
+            require(count < 1e6, "a step of ", chosen.seconds, " s asks for ", count, " steps of ", within, " s (",
+                    shortest(substep_limits()).reason, ") of phase ", detail::type_name<typename Integrator::Fast>(),
+                    "; at most a million are taken");
+            substeps_ = std::max(1, static_cast<int>(count));
+            Integrator::step(engine_, chosen.seconds, substeps_);
+        } else {
+            Integrator::step(engine_, chosen.seconds);
+        }
+    } catch (const Error& error) {
+        throw Error(text(error.what(), "; step ", steps_, ", time ", time_, " s, time step ", chosen.seconds,
+                         " s limited by ", chosen.reason, " (", chosen.where, "). The shortest limit is ",
+                         describe_shortest(), "; a step well below it is the first remedy to try"));
+    }
+    time_ += chosen.seconds;
+    ++steps_;
+}
 
 } // namespace imbibe

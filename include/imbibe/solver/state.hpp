@@ -4,6 +4,7 @@
 
 #include <imbibe/search/neighbours.hpp>
 #include <imbibe/solver/composition.hpp>
+#include <imbibe/solver/loops.hpp>
 
 #include <Eigen/Core>
 
@@ -110,12 +111,13 @@ public:
     /// Puts the particles into a new order: particle order[k] moves to k. All components are carried along.
     void reorder(const std::vector<std::uint32_t>& order, int threads) {
         spare.resize(values.size());
-        parallel_for(component_total, threads_for(n, threads), [&](int k) {
+        const auto one = [&](int k) {
             const Real* from = column(k);
             Real* to = spare.data() + static_cast<std::size_t>(k) * step;
             for (std::size_t i = 0; i < order.size(); ++i)
                 to[i] = from[order[i]];
-        });
+        };
+        loop(component_total, threads_for(n, threads), Callable<void(int)>(one));
         values.swap(spare);
         std::vector<std::uint32_t> moved(order.size());
         for (std::size_t i = 0; i < order.size(); ++i)
@@ -143,12 +145,13 @@ public:
     /// Copies components [first, first + count) into the copy, in the order of the cell table.
     void copy_to_image(int first, int count, int threads) {
         image.resize(values.size());
-        parallel_for(count, threads_for(n, threads), [&](int c) {
+        const auto one = [&](int c) {
             const Real* from = column(first + c);
             Real* to = image.data() + static_cast<std::size_t>(first + c) * step;
             for (std::size_t i = 0; i < image_order.size(); ++i)
                 to[i] = from[image_order[i]];
-        });
+        };
+        loop(count, threads_for(n, threads), Callable<void(int)>(one));
         pad(image);
     }
     search::Points<dim, Real> image_points() const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace imbibe {
@@ -19,9 +20,27 @@ struct TimeStepLimit {
 
 namespace detail {
 
+/// Limits on the time step, shortest first.
+class SortedLimits {
+public:
+    /// All that were added, without the CFL number.
+    std::vector<TimeStepLimit> sorted() && { return std::move(limits_); }
+
+protected:
+    [[gnu::noinline]] void add(double seconds, const char* reason, std::string where) {
+        auto behind = limits_.begin();
+        while (behind != limits_.end() && behind->seconds <= seconds)
+            ++behind;
+        limits_.insert(behind, {seconds, reason, std::move(where)});
+    }
+
+private:
+    std::vector<TimeStepLimit> limits_;
+};
+
 /// Collects the limits that the terms of phases and couplings offer by `time_step_limit`, for the present speeds.
 template <class Engine>
-class TimeStepLimits {
+class TimeStepLimits : public SortedLimits {
 public:
     explicit TimeStepLimits(const Engine& engine) : engine_(engine) {}
 
@@ -35,16 +54,9 @@ public:
     void add_coupling() {
         add_terms_of_coupling<C>(typename C::terms{});
     }
-    /// All that were added, without the CFL number, shortest first.
-    std::vector<TimeStepLimit> sorted() && {
-        std::sort(limits_.begin(), limits_.end(),
-                  [](const TimeStepLimit& a, const TimeStepLimit& b) { return a.seconds < b.seconds; });
-        return std::move(limits_);
-    }
 
 private:
     const Engine& engine_;
-    std::vector<TimeStepLimit> limits_;
 
     template <class P>
     const auto& material() const {
@@ -66,7 +78,7 @@ private:
         const TimeStepInput in = input_of<P>();
         (add_term<Term, P>(material<P>(), in, material<P>()), ...);
         if (P::moves && in.max_acceleration > 0)
-            limits_.push_back({std::sqrt(in.spacing / in.max_acceleration), "acceleration", type_name<P>()});
+            add(std::sqrt(in.spacing / in.max_acceleration), "acceleration", type_name<P>());
     }
     template <class C, class... Term>
     void add_terms_of_coupling(TypeList<Term...>) {
@@ -96,7 +108,7 @@ private:
         }
         if constexpr (requires { Term::limit_name; })
             if (seconds > 0)
-                limits_.push_back({seconds, Term::limit_name, type_name<Where>()});
+                add(seconds, Term::limit_name, type_name<Where>());
     }
 };
 
