@@ -6,7 +6,7 @@
 
 #include <imbibe/imbibe.hpp>
 #include <imbibe/output/checkpoint.hpp>
-#include <imbibe/presets/sponge.hpp>
+#include <imbibe/presets/compiled.hpp>
 
 #include <csignal>
 #include <unistd.h>

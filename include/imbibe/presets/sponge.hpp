@@ -133,3 +133,7 @@ struct SoundSponge {
 };
 
 } // namespace imbibe::presets
+
+#ifdef IMBIBE_COMPILED_PRESETS
+#include <imbibe/presets/compiled.hpp>
+#endif

@@ -1,0 +1,4 @@
+// For the library imbibe::presets: the scene of SoundSponge in float.
+#include <imbibe/presets/compiled.hpp>
+
+IMBIBE_PRESET_FUNCTIONS(, SoundSponge, float);
