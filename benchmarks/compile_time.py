@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""Measures what programs with imbibe cost a compiler and writes the tables in docs/compile_time.md between their marks.
+
+    python3 benchmarks/compile_time.py                      all of it: half an hour on a busy core
+    python3 benchmarks/compile_time.py --only gyroid        only the rows with this word in them; the others stay
+
+Every file is compiled alone, on one core, with -O3 -march=native and OpenMP. Seconds are those of the processor, user
+and system, the least of the repeats: on a machine with other work they still vary by a third. Memory is the greatest
+of any part of the compiler. The size of the code does not vary.
+"""
+
+import argparse
+import glob
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+SPONGE = [f"examples/support/sponge_run_{name}.cpp"
+          for name in ("paper_float", "paper_double", "sound_float", "sound_double")]
+BUDGET = {"examples/dam_break.cpp": (5, 0.7), SPONGE[2]: (10, 1.0)}
+PRESETS = ["-DIMBIBE_COMPILED_PRESETS"]  # as where CMake links imbibe::presets
+
+
+class Compiler:
+    def __init__(self, name, core, repeats):
+        self.name, self.core, self.repeats = name, core, repeats
+        self.folder = tempfile.TemporaryDirectory()
+        self.object = os.path.join(self.folder.name, "out.o")
+
+    def once(self, path, flags=(), output=None):
+        """(seconds, GB, what the compiler printed) of one compilation."""
+        command = [self.name, "-std=c++20", "-O3", "-march=native", "-fopenmp", "-w", '-DIMBIBE_TOOLS_DIR="tools"',
+                   *flags, f"-I{ROOT}/include", f"-I{ROOT}/examples", "-isystem", "/usr/include/eigen3", "-c", path,
+                   "-o", output or self.object]
+        with tempfile.TemporaryFile("w+") as printed:
+            child = subprocess.Popen(command, stdout=printed, stderr=printed,
+                                     preexec_fn=lambda: os.sched_setaffinity(0, {self.core}))
+            _, status, used = os.wait4(child.pid, 0)
+            child.returncode = os.waitstatus_to_exitcode(status)
+            printed.seek(0)
+            text = printed.read()
+        if child.returncode != 0:
+            sys.exit(f"compile_time.py: failed: {' '.join(command)}\n{text}")
+        return used.ru_utime + used.ru_stime, used.ru_maxrss * 1024e-9, text
+
+    def measure(self, path, flags=()):
+        """(seconds, GB, kB of code): the least of the repeats."""
+        runs = [self.once(path, flags)[:2] for _ in range(self.repeats)]
+        sizes = subprocess.run(["size", self.object], capture_output=True, text=True).stdout.split("\n")[1]
+        found = (*(min(values) for values in zip(*runs)), int(sizes.split()[0]) * 1e-3)
+        print(f"{self.name} {os.path.relpath(path, ROOT)} {' '.join(flags)}: {found[0]:.1f} s, {found[1]:.2f} GB, "
+              f"{found[2]:.0f} kB of code", flush=True)
+        return found
+
+    def measure_text(self, text):
+        path = os.path.join(self.folder.name, "step.cpp")
+        with open(path, "w") as file:
+            file.write(text)
+        return self.measure(path)
+
+
+class Page:
+    """The document. Every row is written as soon as it is measured, in the place of the row that begins alike."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def put(self, table, cells):
+        with open(self.path) as file:
+            page = file.read()
+        begin, end = f"<!-- {table}: begin. Written by benchmarks/compile_time.py. -->\n", f"<!-- {table}: end -->"
+        if begin not in page or end not in page:
+            sys.exit(f"compile_time.py: the page has lost the marks around the table '{table}'")
+        before, rest = page.split(begin, 1)
+        rows, after = rest.split(end, 1)
+        row, rows = f"| {' | '.join(cells)} |", rows.splitlines()
+        alike = [k for k, old in enumerate(rows) if old.startswith(f"| {cells[0]} |")]
+        rows[alike[0] if alike else len(rows):alike[0] + 1 if alike else len(rows)] = [row]
+        with open(self.path, "w") as file:
+            file.write(before + begin + "\n".join([*rows, ""]) + end + after)
+
+
+def programs():
+    """[(file, flags, is it one of those that the build makes the main example of)]"""
+    def under(folder):
+        return sorted(os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(ROOT, folder, "*.cpp")))
+
+    parts = ["examples/sponge.cpp", "examples/support/sponge_run.cpp", *SPONGE]
+    alone = [path for path in under("examples") if path not in parts and not path.endswith("sponge_study.cpp")]
+    return [(path, [], False) for path in [*alone, *under("presets")]] + \
+        [("examples/gyroid.cpp", PRESETS, False)] + [(path, [], True) for path in parts]
+
+
+def measure_programs(page, compilers, only):
+    sponge, chosen = [], [program for program in programs() if only in program[0]]
+    for path, flags, of_the_sponge in chosen:
+        found = compilers[0].measure(os.path.join(ROOT, path), flags)
+        if of_the_sponge:
+            sponge.append(found)
+        limits = BUDGET.get(path, ()) if not flags else ()
+        budget = ", ".join(f"{limit} {unit} {'kept' if value <= limit else 'missed'}"
+                           for limit, unit, value in zip(limits, ("s", "GB"), found))
+        words = f"`{path}`" + (", linked with imbibe::presets" if flags else "")
+        page.put("programs", [words, *in_words(found), budget])
+    if len(sponge) == sum(of_the_sponge for *_, of_the_sponge in programs()):
+        columns = list(zip(*sponge))
+        page.put("programs", [f"the main example, its {len(sponge)} files",
+                              *in_words((sum(columns[0]), max(columns[1]), sum(columns[2]))), ""])
+    for compiler in compilers[1:]:
+        for path in BUDGET if not only else [path for path, flags, _ in chosen if not flags]:
+            found = compiler.measure(os.path.join(ROOT, path))
+            page.put("programs", [f"`{path}`, {compiler.name}", *in_words(found), ""])
+
+
+def in_words(found):
+    return [f"{found[0]:.1f}", f"{found[1]:.2f}", f"{found[2]:.0f}"]
+
+
+def steps_of_dam_break():
+    """[(words, program)]: the dam break of the README, built up piece by piece."""
+    with open(os.path.join(ROOT, "examples/dam_break.cpp")) as file:
+        whole = file.read()
+    include = "#include <imbibe/imbibe.hpp>\n"
+    scene = whole[:whole.index("int main()")]
+    described = re.search(r".*describe\(scene\).*\n", whole).group(0)
+    run = re.search(r" *scene\.run_until\(end.*\n", whole).group(0)
+    quiet, short = whole.replace(described, ""), "    scene.run_until(end);\n"
+    return [("`#include <Eigen/Core>`", "#include <Eigen/Core>\nint main() {}\n"),
+            ("`#include <imbibe/solver/solver.hpp>`", "#include <imbibe/solver/solver.hpp>\nint main() {}\n"),
+            ("`#include <imbibe/imbibe.hpp>`", include + "int main() {}\n"),
+            ("the scene as a type", scene + "static_assert(sizeof(Scene) > 0);\nint main() {}\n"),
+            ("its particles", quiet.replace(run, "")),
+            ("a run", quiet.replace(run, short)),
+            ("`describe`", whole.replace(run, short)),
+            ("progress and snapshots: the whole program", whole)]
+
+
+def measure_steps(page, compiler):
+    before = 0
+    for words, text in steps_of_dam_break():
+        seconds, _, code = compiler.measure_text(text)
+        page.put("steps", [words, f"{seconds:.1f}", f"{seconds - before:+.1f}", f"{code:.0f}"])
+        before = seconds
+    if compiler.name.startswith("g++"):  # which finds what is precompiled by itself
+        os.makedirs(os.path.join(compiler.folder.name, "imbibe"))
+        compiler.once(os.path.join(ROOT, "include/imbibe/imbibe.hpp"), ["-x", "c++-header"],
+                      os.path.join(compiler.folder.name, "imbibe/imbibe.hpp.gch"))
+        seconds, _, code = compiler.measure(os.path.join(ROOT, "examples/dam_break.cpp"), [f"-I{compiler.folder.name}"])
+        page.put("steps", ["the same, `imbibe.hpp` being precompiled", f"{seconds:.1f}", f"{seconds - before:+.1f}",
+                           f"{code:.0f}"])
+
+
+def measure_phases(page, compiler):
+    """What g++ itself says of its time for the dam break."""
+    report = compiler.once(os.path.join(ROOT, "examples/dam_break.cpp"), ["-ftime-report"])[2]
+    words = {"phase parsing": "reading headers, with the templates that needs",
+             "phase lang. deferred": "instantiating the rest of the templates",
+             "phase opt and generate": "optimising and writing code"}
+    found = {}
+    for name in words:  # user and system seconds
+        numbers = re.search(rf"{re.escape(name)}\s*:\s*([\d.]+) \([^)]*\)\s*([\d.]+)", report).groups()
+        found[name] = sum(float(number) for number in numbers)
+    for name, seconds in found.items():
+        page.put("phases", [words[name], f"{seconds:.1f}", f"{100 * seconds / sum(found.values()):.0f} %"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--compilers", nargs="+", default=["g++", "clang++"], help="the first one compiles everything")
+    parser.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)), help="which core (default: the last)")
+    parser.add_argument("--repeats", type=int, default=1)
+    parser.add_argument("--only", default="", help="only programs whose path has this in it; or steps, or phases")
+    parser.add_argument("--page", default=os.path.join(ROOT, "docs", "compile_time.md"), help="the page to write into")
+    arguments = parser.parse_args()
+    compilers = [Compiler(name, arguments.core, arguments.repeats) for name in arguments.compilers]
+    page = Page(arguments.page)
+    if arguments.only in ("", "steps"):
+        measure_steps(page, compilers[0])
+    if arguments.only in ("", "phases"):
+        measure_phases(page, compilers[0])
+    measure_programs(page, compilers, arguments.only)
+
+
+if __name__ == "__main__":
+    main()
