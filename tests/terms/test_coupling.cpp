@@ -123,6 +123,26 @@ TEST_CASE("the limit of the repulsion is that of the notes for Spiky") {
           Approx(repulsion_limit_by_notes<2>(1000 * Af, 0.3, 1e8, Af, As, 950 * As)).epsilon(1e-5));
 }
 
+TEST_CASE("the limit of the repulsion knows how near a pair is") {
+    const double Vf = std::pow(8e-4, 3), Vs = std::pow(5e-4, 3), K = 1e6,
+                 m = 950 * Vs * 1000 * Vf / (950 * Vs + 1000 * Vf);
+    TimeStepInput rest{H, 8e-4, 0, 0, 3, 5e-4, 0};
+    const auto limit = [&] { return KernelRepulsion<>::time_step_limit(water(), sponge(), rest, {.stiffness = K}); };
+    for (const double q : {0.9, 0.5, 0.1}) { // at rest, at q supports: k = K V V 90/(pi H^5) (1 - q)
+        rest.nearest = q * H;
+        const double k = K * Vf * Vs * 90 / (pi * std::pow(H, 5)) * (1 - q);
+        CHECK(limit() == Approx(2 * std::sqrt(m / k)).epsilon(1e-4));
+    }
+    rest.nearest = 1.01 * H;
+    CHECK(std::isinf(limit()));
+    // and near as well as moving is as moving from afar with the energy of both
+    rest.nearest = 0.5 * H;
+    rest.max_speed = 0.3;
+    const double stored = K * Vf * Vs * 15 / (pi * std::pow(H, 3)) * std::pow(0.5, 3);
+    const double both = std::sqrt(sq(0.3) + 2 * stored / (1000 * Vf));
+    CHECK(limit() == Approx(repulsion_limit_by_notes<3>(1000 * Vf, both, K, Vf, Vs, 950 * Vs)).epsilon(1e-4));
+}
+
 TEST_CASE("the limit of the repulsion at its ends: at rest, and faster than it can hold") {
     const TimeStepInput rest{H, 8e-4, 0, 0, 3, 5e-4, 0};
     CHECK(std::isinf(KernelRepulsion<>::time_step_limit(water(), sponge(), rest, {})));

@@ -8,13 +8,16 @@
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
 // `static constexpr bool once = true;` (evaluated when the particles are added, not in every step).
 // Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part),
-// `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`.
+// `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`. A force that is
+// stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on accelerations,
+// sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
 #pragma once
 
 #include <imbibe/core/field.hpp>
 #include <imbibe/core/fields.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <tuple>
 
 namespace imbibe {
@@ -109,6 +112,9 @@ struct TimeStepInput {
     int dimension;           ///< 2 or 3
     /// The spacing of the other phase and its greatest speed, for terms of a coupling.
     double other_spacing = 0, other_max_speed = 0;
+    /// The distance of the two phases' nearest particles where the last step began, m: for terms of a coupling that ask
+    /// for it by `static constexpr bool limit_by_nearest = true`. Infinite for others, and where none is in reach.
+    double nearest = std::numeric_limits<double>::infinity();
 };
 
 namespace detail {

@@ -72,12 +72,14 @@ struct KernelRepulsion {
     }
 
     static constexpr const char* limit_name = "repulsion stiffness";
+    static constexpr bool limit_by_nearest = true;
     /// 2 sqrt(m/k), s, with the reduced mass m of a pair and its greatest stiffness k during an impact.
     ///
     /// The potential of a pair is K_f V_a V_b W. A particle of the heavier phase with the two phases' greatest speeds
-    /// together penetrates until W has taken its energy; k is the largest K_f V_a V_b |d2W/dr2| on that way. For Spiky
-    /// in 3D this is k = 90 K_f V_a V_b delta/(pi H^6) with the penetration
-    /// delta = H (pi H^3 m v^2/(30 K_f V_a V_b))^(1/3) <= H. Infinite where nothing moves.
+    /// together, which is already as near as the nearest pair, penetrates until W has taken its energy; k is the
+    /// largest K_f V_a V_b |d2W/dr2| on the way from the rim. For Spiky in 3D and a pair that comes from afar this is
+    /// k = 90 K_f V_a V_b delta/(pi H^6) with the penetration delta = H (pi H^3 m v^2/(30 K_f V_a V_b))^(1/3) <= H.
+    /// Infinite where nothing moves and nothing is in reach.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                                   const Parameters& parameters) {
         const double volume_a = std::pow(in.spacing, in.dimension), mass_a = material_a.density * volume_a;
@@ -88,7 +90,8 @@ struct KernelRepulsion {
         const double own = parameters.range * 0.5 * (in.spacing + in.other_spacing);
         const double reach = own > 0 ? std::min(own, in.support_radius) : in.support_radius;
         const double scale = parameters.stiffness * volume_a * volume_b * normalisation / std::pow(reach, in.dimension);
-        const double k = scale / sq(reach) * greatest_curvature(energy / scale);
+        const double taken = in.nearest < reach ? Kernel::value(in.nearest / reach) : 0.0;
+        const double k = scale / sq(reach) * greatest_curvature(energy / scale + taken);
         const double reduced_mass = mass_a * mass_b / (mass_a + mass_b);
         return k > 0 ? 2 * std::sqrt(reduced_mass / k) : std::numeric_limits<double>::infinity();
     }

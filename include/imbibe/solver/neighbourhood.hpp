@@ -4,6 +4,7 @@
 
 #include <imbibe/solver/scene_state.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace imbibe::detail {
@@ -53,10 +54,12 @@ public:
     /// In every step: sorts what moves and finds the neighbours of now, if it is due.
     void find_neighbours() {
         ++steps_since_search;
-        if (search_is_due(0))
+        if (search_is_due(0)) {
             search_neighbours();
-        else
+        } else {
             refresh_places();
+            measure_nearest(typename Scene::Couplings{});
+        }
     }
     /// After particles have moved, if neighbours stay as they are: what others see of them.
     void refresh_places() {
@@ -128,6 +131,20 @@ public:
                                                    reach_of(link.support), this->threads);
             }
         });
+        measure_nearest(typename Scene::Couplings{});
+    }
+
+    /// The distance of the nearest particles of two coupled phases, m, as it was when it was measured last; infinite
+    /// where no term asks for it.
+    template <class C>
+    double nearest_of() const {
+        double least = std::numeric_limits<double>::infinity();
+        if constexpr (wants_nearest<C>(typename C::terms{}))
+            this->for_each_link([&]<class L>(const L& link) {
+                if constexpr (is_link_of<L, C>)
+                    least = std::min(least, link.nearest);
+            });
+        return least;
     }
 
     /// How far neighbours are looked for, m.
@@ -154,20 +171,9 @@ public:
         const int stride = std::max(1, a.size() / 1000);
         long long found = 0, sampled = 0;
         for (int i = 0; i < a.size(); i += stride, ++sampled)
-            for (const search::Run run : link.runs[i])
-                for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
-                    double distance2 = 0;
-                    for (int d = 0; d < dim; ++d) {
-                        const auto k = static_cast<std::size_t>(d);
-                        const double length = this->periodic.length[k];
-                        double here = static_cast<double>(targets.x[k][i]);
-                        if (length > 0) // a total-Lagrangian phase is not wrapped
-                            here = search::into_period(here, this->periodic.lower[k], length);
-                        distance2 +=
-                            sq(here - search::image_step(run.shift, d) * length - static_cast<double>(sources.x[k][j]));
-                    }
-                    found += distance2 > 0 && distance2 < link.support * link.support;
-                }
+            for_each_distance2(link.runs[i], targets, i, sources, [&](double distance2) {
+                found += distance2 > 0 && distance2 < link.support * link.support;
+            });
         return static_cast<double>(found) / static_cast<double>(sampled);
     }
 
@@ -195,6 +201,76 @@ protected:
     }
 
 private:
+    // Calls f with the squared distance, m^2, of particle i of the targets and each source in its runs.
+    template <class F>
+    void for_each_distance2(const search::RunList::Range& runs, const search::Points<dim, Real>& targets, int i,
+                            const search::Points<dim, Real>& sources, const F& f) const {
+        for (const search::Run run : runs)
+            for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
+                double distance2 = 0;
+                for (int d = 0; d < dim; ++d) {
+                    const auto k = static_cast<std::size_t>(d);
+                    const double length = this->periodic.length[k];
+                    double here = static_cast<double>(targets.x[k][i]);
+                    if (length > 0) // a total-Lagrangian phase is not wrapped
+                        here = search::into_period(here, this->periodic.lower[k], length);
+                    distance2 +=
+                        sq(here - search::image_step(run.shift, d) * length - static_cast<double>(sources.x[k][j]));
+                }
+                f(distance2);
+            }
+    }
+
+    template <class C, class... Term>
+    static constexpr bool wants_nearest(TypeList<Term...>) {
+        return (asks_for_nearest<typename Unwrapped<Term>::type> || ...);
+    }
+    template <class Term>
+    static constexpr bool asks_for_nearest = requires { Term::limit_by_nearest; };
+    template <class L, class C>
+    static constexpr bool is_link_of =
+        !L::reference &&
+        ((std::is_same_v<typename L::A, typename C::First> && std::is_same_v<typename L::B, typename C::Second>) ||
+         (std::is_same_v<typename L::A, typename C::Second> && std::is_same_v<typename L::B, typename C::First>));
+
+    // The distance of the nearest pair of every coupling that asks for it.
+    template <class... C>
+    void measure_nearest(TypeList<C...>) {
+        (measure_nearest_of<C>(), ...);
+    }
+    template <class C>
+    void measure_nearest_of() {
+        if constexpr (wants_nearest<C>(typename C::terms{})) {
+            bool done = false; // the link the other way round has the same pairs
+            this->for_each_link([&]<class L>(L& link) {
+                if constexpr (is_link_of<L, C>) {
+                    link.nearest = std::numeric_limits<double>::infinity();
+                    if (!done && !link.runs.is_empty())
+                        link.nearest = nearest_in(link);
+                    done = true;
+                }
+            });
+        }
+    }
+    template <class L>
+    double nearest_in(const L& link) const {
+        const auto& a = this->template state<typename L::A>();
+        const auto targets = a.points();
+        const auto sources = seen_points(this->template state<typename L::B>());
+        const double far = std::numeric_limits<double>::infinity();
+        const auto least = [](double one, double other) { return std::min(one, other); };
+        return std::sqrt(parallel_reduce(
+            a.size(), this->threads, far,
+            [&](int begin, int end) {
+                double least2 = far;
+                for (int i = begin; i < end; ++i)
+                    for_each_distance2(link.runs[i], targets, i, sources,
+                                       [&](double distance2) { least2 = std::min(least2, distance2); });
+                return least2;
+            },
+            least));
+    }
+
     search::Grid<dim> grid;
     int steps_since_search = 0;
     double farthest_allowed = 0; ///< m

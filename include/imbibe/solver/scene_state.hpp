@@ -4,6 +4,8 @@
 
 #include <imbibe/solver/state.hpp>
 
+#include <limits>
+
 namespace imbibe::detail {
 
 /// The neighbours of phase A's particles among those of phase B.
@@ -14,6 +16,8 @@ struct IMBIBE_PER_BUILD Link {
     static constexpr bool reference = reference_;
     search::RunList runs;
     double support = 0; ///< m
+    /// Distance of the nearest pair, m, where a term asks for it (TimeStepInput::nearest).
+    double nearest = std::numeric_limits<double>::infinity();
 };
 
 template <int dim, class List>
@@ -129,6 +133,7 @@ public:
             a(s.bounds.lower);
             a(s.bounds.upper);
         });
+        for_each_link([&](auto& link) { a(link.nearest); });
     }
     std::size_t particle_bytes() const {
         std::size_t sum = 0;

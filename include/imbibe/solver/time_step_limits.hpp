@@ -92,6 +92,7 @@ private:
         in.support_radius = std::max(in.support_radius, other.support_radius);
         in.other_spacing = other.spacing;
         in.other_max_speed = other.max_speed;
+        in.nearest = engine_.template nearest_of<C>();
         (add_term<typename Unwrapped<Term>::type, C>(engine_.template coupling<C>(), in, material<A>(), material<B>()),
          ...);
     }
