@@ -191,6 +191,47 @@ void check_hourglass() {
     CHECK(moment.norm() < 1e-13 * size);
 }
 
+// The limit on steps against the exact one, 2 over the highest frequency of a free block, by power iteration. Which
+// motion that is, is no matter of choice: it is mostly one of the corners.
+template <int dim>
+void check_wave_limit(double poisson, double support) {
+    auto material = foam();
+    material.sound_speed = sound_speed_of(1e5, poisson, material.density);
+    material.shear_modulus = shear_modulus_of(1e5, poisson);
+    material.support_radius = support * material.spacing;
+    auto body = block<dim>(material, dim == 2 ? 8 : 5, 0);
+    correct(body);
+    Dice dice(3);
+    std::vector<Column<dim>> u(body.size());
+    for (auto& x : u)
+        x = plain(dice.vector<dim>(1));
+    double frequency2 = 0;
+    for (int k = 0; k < 60; ++k) {
+        double size = 0;
+        for (const auto& x : u)
+            size = std::max(size, x.norm());
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            u[i] *= 1e-10 / size; // so small that all is linear
+            body[i].set(position, body[i][reference_position] + vec<dim>(u[i]));
+        }
+        deform(body);
+        stress(body);
+        double product = 0, square = 0;
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const Column<dim> f = -plain(sum(TotalLagrangianForce<>::Push{}, body[i], body));
+            product += f.dot(u[i]);
+            square += u[i].squaredNorm();
+            u[i] = f;
+        }
+        frequency2 = product / square;
+    }
+    const TimeStepInput in{material.support_radius, material.spacing, 0, 0, dim};
+    const double share = StVenantKirchhoff::time_step_limit(material, in) * std::sqrt(frequency2) / 2;
+    CAPTURE(dim, poisson, support, share);
+    CHECK(share < 1);
+    CHECK(share > 1 / 1.5);
+}
+
 // A motion that alternates from particle to particle: the elastic force inside does not see it, the control does.
 template <int dim>
 void check_zigzag() {
@@ -405,6 +446,15 @@ TEST_CASE("TotalLagrangianViscosity has the viscosity it claims, and a limit tha
     check_viscosity_limit<3>();
     check_viscosity_coefficient<2>();
     check_viscosity_coefficient<3>();
+}
+
+TEST_CASE("the limit of the elastic wave is below that of free blocks, by less than a factor of 1.5") {
+    for (const double support : {1.5, 2.01, 2.6})
+        for (const double poisson : {0.0, 0.3, 0.45, 0.499})
+            check_wave_limit<3>(poisson, support);
+    for (const double support : {1.5, 2.01})
+        for (const double poisson : {0.0, 0.3, 0.499})
+            check_wave_limit<2>(poisson, support);
 }
 
 TEST_CASE("limits of the solid: the elastic wave, and nothing where nothing acts") {

@@ -29,8 +29,7 @@ struct NeoHookean {
     }
 
     static constexpr const char* limit_name = "elastic wave";
-    /// spacing/(c_l + v), s, with the speed of longitudinal waves c_l = sqrt((K + 4G/3)/rho_0) and the greatest speed
-    /// v in the phase.
+    /// That of StVenantKirchhoff, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return detail::elastic_wave_limit(material, in);
     }
