@@ -420,10 +420,18 @@ TEST_CASE("ReferenceCorrection: full at corners and struts, gives way for sheets
     // half way down the ramp
     auto& p = alone.front();
     SymmetricTensor<Number<double>, 3> M = SymmetricTensor<Number<double>, 3>::zero();
-    M(0, 0) = 1, M(1, 1) = 1, M(2, 2) = 0.00125;
+    const double least = 0.06 / std::sqrt(1 - 2 * 0.06 * 0.06); // 1/|M^-1| = 0.06, between 0.04 and 0.08
+    M(0, 0) = 1, M(1, 1) = 1, M(2, 2) = least;
     p.set(moment_matrix, M);
-    CHECK(plain(ReferenceCorrection<>::Invert{}(p))(2, 2) == Approx(0.5 * 800 + 0.5));
+    CHECK(plain(ReferenceCorrection<>::Invert{}(p))(2, 2) == Approx(0.5 / least + 0.5));
     CHECK(plain(ReferenceCorrection<>::Invert{}(p))(0, 0) == Approx(1));
+    // a sheet that is rough keeps corrections that a time step can bear
+    for (const double rough : {1e-9, 1e-3, 1e-2, 0.03, 0.05, 0.07, 0.1, 0.3}) {
+        M(2, 2) = rough;
+        p.set(moment_matrix, M);
+        CAPTURE(rough);
+        CHECK(plain(ReferenceCorrection<>::Invert{}(p)).norm() < 13);
+    }
 }
 
 TEST_CASE("HourglassControl is nothing for affine motions and keeps the momenta") {

@@ -8,12 +8,12 @@ namespace imbibe {
 
 /// Coefficients of CurrentCorrection.
 struct CurrentCorrectionParameters {
-    /// The correction is full where det M_a is at least this. With 3 spacings of WendlandC2 det M is 1 inside, 0.37
-    /// (0.28 in 3D) at a free surface, 0.12 at a corner (0.017 at that of a cube) and 0 for a thread, a sheet in 3D or
-    /// a drop of one particle.
-    double full_above = 0.01;
-    /// No correction where det M_a is below this; a straight ramp between the two.
-    double none_below = 0.002;
+    /// The correction is full where 1/|M_a^-1|, nearly the least moment in any direction, is at least this. With 3
+    /// spacings of WendlandC2 it is 0.71 (0.58 in 3D) inside, 0.23 at a corner (0.13 at that of a cube) and 0 for a
+    /// thread, a sheet in 3D or a drop of one particle.
+    double full_above = 0.08;
+    /// No correction where it is below this; a straight ramp between the two.
+    double none_below = 0.04;
 
     /// Throws Error for a number out of range. @param where the phase in the message
     void check(std::string_view where) const {
