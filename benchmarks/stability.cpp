@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
     bool trace = false;
     CLI::App app{"Bisects how long steps can be, and how far scenes can be pushed, before they go wrong."};
     app.add_option("--write", path, "the file whose tables are replaced; without it they are printed");
-    app.add_option("--part", part, "Fluids, Solids, Coupled, Limits or Physical only");
+    app.add_option("--part", part, "Fluids, Solids, Coupled, Limits, Hard, Physical or Gradients only");
     app.add_option("--composition", composition, "only this one");
     app.add_option("--scene", scene, "only this one");
     app.add_option("--cfl", cfl, "one run with this CFL number instead of bisecting");
@@ -162,6 +162,7 @@ int main(int argc, char** argv) {
     add_solids(table);
     add_coupled(table);
     add_limits(table);
+    add_hard(table);
     const auto wanted = [&](const auto& row) {
         return (composition.empty() || row.composition == composition) && (scene.empty() || row.scene == scene);
     };
@@ -181,7 +182,7 @@ int main(int argc, char** argv) {
             return 0;
         }
         std::ostringstream out;
-        for (const std::string name : {"Limits", "Fluids", "Solids", "Coupled"}) {
+        for (const std::string name : {"Limits", "Fluids", "Solids", "Coupled", "Hard"}) {
             std::vector<Row> rows;
             std::copy_if(table.rows.begin(), table.rows.end(), std::back_inserter(rows),
                          [&](const Row& row) { return row.part == name && wanted(row); });
@@ -191,8 +192,11 @@ int main(int argc, char** argv) {
         if (part.empty() || part == "Physical") {
             std::vector<Frontier> frontiers;
             std::copy_if(table.frontiers.begin(), table.frontiers.end(), std::back_inserter(frontiers), wanted);
-            write_frontiers(out, frontiers);
+            if (!frontiers.empty())
+                write_frontiers(out, frontiers);
         }
+        if (composition.empty() && scene.empty() && (part.empty() || part == "Gradients"))
+            write_gradients(out);
         if (document)
             document->replace(out.str());
         else

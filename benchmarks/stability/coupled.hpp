@@ -50,8 +50,14 @@ struct PaperCoupling {
     static void set(Contact& contact) { contact.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
 };
 
+/// The same coupling with another integrator.
+template <class C, class With>
+struct CoupledWith : C {
+    using Fluid = Integrated<typename C::Fluid, With>;
+};
+
 template <class C, class Real>
-using CoupledScene = sph::Solver<2, Real, sph::SymplecticEuler, typename C::Fluid::Water, typename C::Body,
+using CoupledScene = sph::Solver<2, Real, typename C::Fluid::Integrator, typename C::Fluid::Water, typename C::Body,
                                  typename C::Fluid::Tank, typename C::Contact, typename C::Fluid::Sides>;
 
 template <class C, class Real>

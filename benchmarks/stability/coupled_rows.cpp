@@ -25,6 +25,8 @@ void add(Table& table, const std::string& name) {
 void add_coupled(Table& table) {
     add<SoundCoupling>(table, SoundCoupling::name);
     add<SoundCoupling, float>(table, sph::text(SoundCoupling::name, ", float"));
+    add<CoupledWith<SoundCoupling, sph::StaggeredLeapfrog>>(table,
+                                                            sph::text(SoundCoupling::name, ", StaggeredLeapfrog"));
     add<RiemannCoupling>(table, RiemannCoupling::name);
     add<PaperCoupling>(table, PaperCoupling::name);
 }

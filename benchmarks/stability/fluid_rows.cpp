@@ -24,9 +24,13 @@ void add(Table& table, const std::string& name) {
 void add_fluids(Table& table) {
     add<WeaklyCompressible>(table, WeaklyCompressible::name);
     add<WeaklyCompressible, float>(table, sph::text(WeaklyCompressible::name, ", float"));
+    add<Integrated<WeaklyCompressible, sph::StaggeredLeapfrog>>(
+        table, sph::text(WeaklyCompressible::name, ", StaggeredLeapfrog"));
     add<DamBreak>(table, DamBreak::name);
+    add<GuardedDamBreak>(table, GuardedDamBreak::name);
     add<Riemann>(table, Riemann::name);
     add<Paper>(table, Paper::name);
+    add<Integrated<Paper, sph::SymplecticEuler>>(table, sph::text(Paper::name, ", SymplecticEuler"));
 }
 
 } // namespace stability

@@ -21,6 +21,7 @@ inline constexpr double dx = 0.8e-3, g = 9.81; // m, m/s^2
 /// Weakly compressible water, as in presets::SoundSponge.
 struct WeaklyCompressible {
     static constexpr const char* name = "weakly compressible";
+    using Integrator = sph::SymplecticEuler;
     static constexpr double support = 2.6, gap = 0; // H and the distance of water from a wall, in spacings
     using Water = sph::presets::SoundSponge::Water;
     using Tank = sph::presets::SoundSponge::Vessel;
@@ -35,6 +36,7 @@ struct WeaklyCompressible {
 /// The water of the dam break in the README: stiffer state, no floor under the density.
 struct DamBreak {
     static constexpr const char* name = "README's dam break";
+    using Integrator = sph::SymplecticEuler;
     static constexpr double support = 2.6, gap = 0;
     using K = sph::WendlandC2;
     struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
@@ -46,9 +48,19 @@ struct DamBreak {
     static void set(Sides&) {}
 };
 
+/// The same with a guard on its walls: a repulsion over less than a spacing, as stiff as rho c^2 in the splash.
+struct GuardedDamBreak : DamBreak {
+    static constexpr const char* name = "README's dam break with a guard";
+    struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                                 sph::Into<Water, sph::VolumeContinuity<K>>, sph::KernelRepulsion<>> {};
+    using DamBreak::set;
+    static void set(Sides& sides) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e5, .range = 0.8}); }
+};
+
 /// Riemann problems between particles and at the wall.
 struct Riemann {
     static constexpr const char* name = "Riemann";
+    using Integrator = sph::SymplecticEuler;
     static constexpr double support = 3, gap = 0;
     using K = sph::WendlandC2;
     struct Water : sph::Fluid<sph::LinearState, sph::RiemannContinuity<K>, sph::RiemannPressure<K>, sph::DensityFloor> {
@@ -63,6 +75,7 @@ struct Riemann {
 /// The paper's water and walls, as in presets::PaperSponge, with the kernel of its viscosity in two dimensions.
 struct Paper {
     static constexpr const char* name = "paper";
+    using Integrator = sph::StaggeredLeapfrog;
     static constexpr double support = 1.25, gap = 1.25;
     using K = sph::Spiky;
     using Viscosity = sph::LaminarViscosity<sph::ViscosityKernel2D>;
@@ -74,8 +87,14 @@ struct Paper {
     static void set(Sides& sides) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
 };
 
+/// The same fluid with another integrator.
+template <class F, class With>
+struct Integrated : F {
+    using Integrator = With;
+};
+
 template <class F, class Real>
-using FluidScene = sph::Solver<2, Real, sph::SymplecticEuler, typename F::Water, typename F::Tank, typename F::Sides>;
+using FluidScene = sph::Solver<2, Real, typename F::Integrator, typename F::Water, typename F::Tank, typename F::Sides>;
 
 /// A scene of fluid F that is empty so far.
 template <class F, class Real>
@@ -92,10 +111,10 @@ auto add_water(Scene& scene, const std::vector<sph::Point<2>>& points, double c)
     return scene.add(water, points, dx);
 }
 template <class F, class Scene>
-void add_tank(Scene& scene, const sph::Box<2>& inside, double c, sph::Sides open = sph::Sides::y_high) {
+void add_tank(Scene& scene, const sph::Box<2>& inside, double c, sph::Sides open = sph::Sides::y_high, int layers = 3) {
     typename F::Tank tank{{.density = 1000}};
     tank.sound_speed = c;
-    scene.add(tank, sph::tank(inside, dx, 3, open), dx);
+    scene.add(tank, sph::tank(inside, dx, layers, open), dx);
 }
 /// Water that fills `wide` by `high` spacings from the lower left corner of a tank.
 template <class F>

@@ -45,6 +45,10 @@ void add_limits(Table& table) {
     repelled("KernelRepulsion, K_f = 1e8, H = 1.25", 1e8, 1.25);
     repelled("KernelRepulsion, K_f = 1e6, H = 1.25", 1e6, 1.25);
     repelled("KernelRepulsion, K_f = 1e8, H = 2", 1e8, 2);
+    row("KernelRepulsion, K_f = 1e8, H = 1.25", "particles at rest, 0.3 supports from a plate",
+        [](const Plan& p) { return let_go(p, 0.3, 1e8); });
+    row("KernelRepulsion, K_f = 1e8, H = 1.25", "particles at rest, 0.8 supports from a plate",
+        [](const Plan& p) { return let_go(p, 0.8, 1e8); });
     row("ModifiedRepulsion, U = 20", "particles between two plates", [](const Plan& p) {
         return bounce<sph::ModifiedRepulsion>(p, 1.25, sph::ModifiedRepulsionParameters{.speed = 20, .restitution = 1});
     });
@@ -60,6 +64,8 @@ void add_limits(Table& table) {
         [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.499, 2.01); });
     row("StVenantKirchhoff, nu 0.3, H = 1.5", "shaken block in 3D",
         [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.3, 1.5); });
+    row("StVenantKirchhoff, nu 0.499, H = 1.5", "shaken block in 3D",
+        [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.499, 1.5); });
     row("HourglassControl, alpha = 20", "shaken block", [](const Plan& p) {
         return shaken_block<2, Kirchhoff2>(p, 0.3, 2.01, sph::HourglassControlParameters{.alpha = 20});
     });
@@ -71,7 +77,8 @@ void add_limits(Table& table) {
     });
     row("paper's hypoelastic, nu 0.3", "shaken block",
         [](const Plan& p) { return shaken_block<2, Hypoelastic::Body>(p, 0.3, 2); });
-    row("a spring to the origin", "one particle, let go a spacing away", swing);
+    row("a spring to the origin", "one particle, let go a spacing away", swing<Spring>);
+    row("the same, with a limit of its own", "one particle, let go a tenth of a spacing away", swing<HonestSpring>);
 }
 
 } // namespace stability

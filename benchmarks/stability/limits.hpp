@@ -93,21 +93,60 @@ Outcome bounce(const Plan& plan, double support, const Parameters&... parameters
     return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[row])}; });
 }
 
+/// The same row of particles at rest, `near` supports above a floor: what the repulsion stores it gives back, and no
+/// more.
+inline Outcome let_go(const Plan& plan, double near, double stiffness) {
+    constexpr double H = 1.25 * dx;
+    using K = sph::Spiky;
+    sph::Solver<2, double, sph::SymplecticEuler, Stones, Floor, Bounce<sph::KernelRepulsion<K>>> scene(
+        {.support_radius = H, .threads = 1});
+    std::vector<sph::Point<2>> stones, floor;
+    for (int k = 0; k < 12; ++k)
+        stones.push_back({(0.3 + 4.07 * k) * dx, near * H});
+    for (int k = -3; k < 52; ++k)
+        floor.push_back({k * dx, 0});
+    double stored = 0; // K_f V_a V_b W
+    for (const auto& a : stones)
+        for (const auto& b : floor)
+            if (const double r = (a - b).norm(); r < H)
+                stored += stiffness * sph::sq(dx * dx) * sph::kernel_value<K, 2>(r, H);
+    scene.template coupling<Bounce<sph::KernelRepulsion<K>>>().set(
+        sph::KernelRepulsionParameters{.stiffness = stiffness});
+    const auto row = scene.add(Stones{{.density = 1000, .sound_speed = 1e6}}, stones, dx);
+    scene.add(Floor{{.density = 1000}}, floor, dx);
+    const double speed = std::sqrt(2 * stored / (12 * 1000 * dx * dx)); // about that of all when they are out of reach
+    const Watch<2> watch{.end = 400 * dx / speed, // free flight, nearly all of it: nothing else limits the steps
+                         .guard = {.energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"kinetic energy over what was stored", 1.5}},
+                         .every = 1};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{sph::kinetic_energy(s[row]) / stored}; });
+}
+
 /// dv_a/dt = - k x_a: a spring to the origin.
 struct Spring {
-    static constexpr double k = 1e6; // 1/s^2
+    static constexpr double k = 1e6;   // 1/s^2
+    static constexpr double start = 1; // spacings from the origin
     using reads = sph::Fields<sph::position>;
     using adds = sph::Fields<sph::acceleration>;
     constexpr auto operator()(const auto& a) const { return -k * a[sph::position]; }
 };
-struct Swinging : sph::Fluid<Spring> {};
+/// The same spring, which says how long a step may be: 2 over its frequency, s.
+struct HonestSpring : Spring {
+    static constexpr double start = 0.1; // so near that its own limit is shorter than that on the acceleration
+    static constexpr const char* limit_name = "spring";
+    static double time_step_limit(const auto&, const sph::TimeStepInput&) { return 2 / std::sqrt(k); }
+};
+template <class Force>
+struct Swinging : sph::Fluid<Force> {};
 
-/// One particle on a spring, let go a spacing away: the only limit is that on the acceleration.
-inline Outcome swing(const Plan& plan) {
-    sph::Solver<2, double, sph::SymplecticEuler, Swinging> scene({.support_radius = dx, .threads = 1});
-    const auto one = scene.add(Swinging{{.density = 1000, .sound_speed = 1}}, {{dx, 0}}, dx);
-    const double most = std::sqrt(Spring::k) * dx; // its greatest speed, were the steps short
-    scene.step(1e-9);                              // from here on there is an acceleration to limit the steps
+/// One particle on a spring, let go. Without a limit of the spring the only one is that on the acceleration.
+template <class Force>
+Outcome swing(const Plan& plan) {
+    using Swinger = Swinging<Force>;
+    sph::Solver<2, double, sph::SymplecticEuler, Swinger> scene({.support_radius = dx, .threads = 1});
+    const auto one = scene.add(Swinger{{.density = 1000, .sound_speed = 1}}, {{Force::start * dx, 0}}, dx);
+    const double most = std::sqrt(Spring::k) * Force::start * dx; // its greatest speed, were the steps short
+    scene.step(1e-9); // from here on there is an acceleration to limit the steps
     const Watch<2> watch{.end = 100 / std::sqrt(Spring::k),
                          .guard = {.speed = 1e6, .energy = std::numeric_limits<double>::infinity()},
                          .signs = {{"speed over that of the exact swing", 4}},

@@ -4,6 +4,7 @@
 #include "march.hpp"
 
 #include <cmath>
+#include <ostream>
 
 namespace stability {
 
@@ -32,6 +33,9 @@ void add_fluids(Table&);
 void add_solids(Table&);
 void add_coupled(Table&);
 void add_limits(Table&);
+void add_hard(Table&);
+/// What the sums of three kernels make of the gradient of x, for several supports: a table.
+void write_gradients(std::ostream&);
 
 /// The largest value that is stable, of those between `low` and `high`, to 4 %: at first steps of a factor sqrt(2) from
 /// `start` until the verdict changes, then halves. `low` or less means that not even `low` is stable (0 is returned),

@@ -18,7 +18,7 @@ concept PorousShape = AnyShape<S> && requires(const S& sponge) {
 
 /// How well particles resolve a pore.
 enum class PoreGrade {
-    closed, ///< narrower than two particles: nothing passes, whatever the physics says
+    closed, ///< narrower than two particles: single particles at most pass, whatever the physics says
     narrow, ///< two to eight particles: open, but the resistance to flow is off by more than about 15 %
     open    ///< eight particles or more
 };
