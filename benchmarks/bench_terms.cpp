@@ -26,7 +26,8 @@ template <template <class...> class Phase, class Part>
 struct Within {
     struct Matter : bench::Alone<Phase, Part> {};
     using Scene = Solver<3, Real, SymplecticEuler, Matter>;
-    static constexpr bool once = imbibe::detail::is_once<Part>;
+    using Rounds = std::conditional_t<imbibe::detail::is_once<Part>, typename Scene::Scene::Once,
+                                      typename Scene::Scene::WholeStep>;
 
     static Matter matter() {
         if constexpr (requires(Matter m) { m.shear_modulus; })
@@ -47,7 +48,7 @@ struct Between {
     struct Other : bench::ReadBy<OtherPhase, Part> {};
     struct Meeting : Coupling<Matter, Other, Into<Matter, bench::detail::OnlyPart<Part>>> {};
     using Scene = Solver<3, Real, SymplecticEuler, Matter, Other, Meeting>;
-    static constexpr bool once = false;
+    using Rounds = typename Scene::Scene::WholeStep;
 
     static void add_to(Scene& scene) {
         auto points = bench::cube(particles);
@@ -66,7 +67,7 @@ void alone(benchmark::State& state) {
     scene.prepare();
     auto engine = scene.engine();
     for (auto _ : state)
-        engine.template run<Case::once>(0);
+        engine.template run<typename Case::Rounds>(0);
     const double receivers = Case::receivers(engine), neighbours = bench::neighbours_in(engine);
     bench::per_item(state, "particle", receivers);
     bench::per_item(state, "neighbour", receivers * neighbours);
