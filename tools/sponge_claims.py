@@ -89,7 +89,7 @@ def claims_on_support(tables):
     return [
         ("3. Displacements agree until 0.15 s (within 10 % of the greatest)" +
          ("" if until == 0.15 else f": until {until:.3g} s"), percent([early]), verdict(agree)),
-        (f"3. and part afterwards (0.15 s to {end:.3g} s)", percent([late]), verdict(part)),
+        ("3. and part afterwards" + (f" (0.15 s to {end:.3g} s)" if end > 0.15 else ""), percent([late]), verdict(part)),
         ("The greatest of each run, spread " + percent([(max(peaks) - min(peaks)) / max(peaks)]), millimetres(peaks), ""),
     ]
 
