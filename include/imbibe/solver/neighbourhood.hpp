@@ -171,9 +171,14 @@ public:
         const int stride = std::max(1, a.size() / 1000);
         long long found = 0, sampled = 0;
         for (int i = 0; i < a.size(); i += stride, ++sampled)
-            for_each_distance2(link.runs[i], targets, i, sources, [&](double distance2) {
-                found += distance2 > 0 && distance2 < link.support * link.support;
-            });
+            for (const search::Run run : link.runs[i])
+                for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
+                    double distance2 = 0;
+                    for (int d = 0; d < dim; ++d)
+                        distance2 += sq(static_cast<double>(place_for(run, targets, i, d)) -
+                                        static_cast<double>(sources.x[static_cast<std::size_t>(d)][j]));
+                    found += distance2 > 0 && distance2 < link.support * link.support;
+                }
         return static_cast<double>(found) / static_cast<double>(sampled);
     }
 
@@ -201,32 +206,14 @@ protected:
     }
 
 private:
-    // Calls f with the squared distance, m^2, of particle i of the targets and each source in its runs.
-    template <class F>
-    void for_each_distance2(const search::RunList::Range& runs, const search::Points<dim, Real>& targets, int i,
-                            const search::Points<dim, Real>& sources, const F& f) const {
-        for (const search::Run run : runs)
-            for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
-                double distance2 = 0;
-                for (int d = 0; d < dim; ++d) {
-                    const auto k = static_cast<std::size_t>(d);
-                    const double length = this->periodic.length[k];
-                    double here = static_cast<double>(targets.x[k][i]);
-                    if (length > 0) // a total-Lagrangian phase is not wrapped
-                        here = search::into_period(here, this->periodic.lower[k], length);
-                    distance2 +=
-                        sq(here - search::image_step(run.shift, d) * length - static_cast<double>(sources.x[k][j]));
-                }
-                f(distance2);
-            }
-    }
-
     template <class C, class... Term>
     static constexpr bool wants_nearest(TypeList<Term...>) {
         return (asks_for_nearest<typename Unwrapped<Term>::type> || ...);
     }
     template <class Term>
-    static constexpr bool asks_for_nearest = requires { Term::limit_by_nearest; };
+    static constexpr bool asks_for_nearest = requires {
+        Term::limit_by_nearest;
+    };
     template <class L, class C>
     static constexpr bool is_link_of =
         !L::reference &&
@@ -257,18 +244,36 @@ private:
         const auto& a = this->template state<typename L::A>();
         const auto targets = a.points();
         const auto sources = seen_points(this->template state<typename L::B>());
-        const double far = std::numeric_limits<double>::infinity();
         const auto least = [](double one, double other) { return std::min(one, other); };
         return std::sqrt(parallel_reduce(
-            a.size(), this->threads, far,
+            a.size(), this->threads, std::numeric_limits<double>::infinity(),
             [&](int begin, int end) {
-                double least2 = far;
+                using T = Pack<Real, Base::width>;
+                T least2(std::numeric_limits<Real>::infinity());
                 for (int i = begin; i < end; ++i)
-                    for_each_distance2(link.runs[i], targets, i, sources,
-                                       [&](double distance2) { least2 = std::min(least2, distance2); });
-                return least2;
+                    for (const search::Run run : link.runs[i]) {
+                        T distance2(0);
+                        for (int d = 0; d < dim; ++d)
+                            distance2 += sq(T(place_for(run, targets, i, d)) -
+                                            T::load(sources.x[static_cast<std::size_t>(d)] + run.first));
+                        least2 = min(least2, select_first(run.count, distance2, least2));
+                    }
+                double nearest2 = std::numeric_limits<double>::infinity();
+                for (int k = 0; k < T::size; ++k)
+                    nearest2 = std::min(nearest2, static_cast<double>(least2[k]));
+                return nearest2;
             },
             least));
+    }
+    // Coordinate d of target i as it is seen from the image of the domain that a run of its neighbours is in.
+    IMBIBE_INLINE Real place_for(const search::Run& run, const search::Points<dim, Real>& targets, int i, int d) const {
+        const auto k = static_cast<std::size_t>(d);
+        const Real length = static_cast<Real>(this->periodic.length[k]), here = targets.x[k][i];
+        if (length == 0)
+            return here;
+        // a total-Lagrangian phase is not wrapped
+        return search::into_period(here, static_cast<Real>(this->periodic.lower[k]), length) -
+               static_cast<Real>(search::image_step(run.shift, d)) * length;
     }
 
     search::Grid<dim> grid;
