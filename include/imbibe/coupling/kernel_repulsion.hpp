@@ -72,6 +72,7 @@ struct KernelRepulsion {
     }
 
     static constexpr const char* limit_name = "repulsion stiffness";
+    /// Its limit depends on the nearest pair (TimeStepInput::nearest).
     static constexpr bool limit_by_nearest = true;
     /// 2 sqrt(m/k), s, with the reduced mass m of a pair and its greatest stiffness k during an impact.
     ///
