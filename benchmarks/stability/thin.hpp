@@ -58,8 +58,8 @@ Outcome slotted_floor(const Plan& plan) {
     tank.sound_speed = c;
     std::vector<sph::Point<2>> walls =
         sph::tank(sph::Box<2>{{0, 0}, {inner, 1.5 * inner}}, dx, 3, sph::Sides::y_high | sph::Sides::y_low);
-    for (const double y : {-0.5 * dx, -1.5 * dx, -2.5 * dx}) // three rows of floor in three pieces
-    {
+    // three rows of floor in three pieces
+    for (const double y : {-0.5 * dx, -1.5 * dx, -2.5 * dx}) {
         for (double x = inner / 4 - slot / 2 - 0.5 * dx; x > -2.9 * dx; x -= dx) {
             walls.push_back({x, y});
             walls.push_back({inner - x, y});

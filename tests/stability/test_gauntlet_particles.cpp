@@ -1,5 +1,5 @@
 // Limits that hard starts ask for, too few neighbours, fast particles, and two fluids a thousand times apart in
-// density. Rows 12, 18 and 22 of the gauntlet.
+// density. Rows 11, 12, 18 and 22 of the gauntlet.
 #include "margins.hpp"
 #include "stability/limits.hpp"
 #include "stability/starts.hpp"

@@ -1,5 +1,5 @@
-// Particles that start too near each other, have too few neighbours or are too fast for their lists of neighbours, and
-// two fluids a thousand times apart in density. Rows 11, 12, 18 and 22 of the gauntlet, and limits that they ask for.
+// Particles that start too near each other, and the distance of two phases' nearest particles, on which a limit
+// depends. Row 11 of the gauntlet.
 #include "margins.hpp"
 #include "stability/starts.hpp"
 
