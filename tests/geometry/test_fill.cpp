@@ -14,6 +14,8 @@
 #include <numbers>
 #include <set>
 
+namespace fill_test {
+
 using namespace imbibe;
 using imbibe_test::contains;
 
@@ -308,3 +310,5 @@ TEST_CASE("Points in the same place are named") {
         }
     }
 }
+
+} // namespace fill_test

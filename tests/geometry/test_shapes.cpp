@@ -11,6 +11,8 @@
 #include <limits>
 #include <numbers>
 
+namespace shapes_test {
+
 using namespace imbibe;
 using imbibe_test::contains;
 
@@ -175,3 +177,5 @@ TEST_CASE("Moved, turned and enlarged shapes") {
     CHECK_THROWS_WITH(scaled(box, -2), contains("factor = -2"));
     CHECK_THROWS_WITH(translated(box, {not_a_number, 0}), contains("shift"));
 }
+
+} // namespace shapes_test

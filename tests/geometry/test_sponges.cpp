@@ -14,6 +14,8 @@
 #include <limits>
 #include <numbers>
 
+namespace sponges_test {
+
 using namespace imbibe;
 using imbibe_test::contains;
 
@@ -318,3 +320,5 @@ TEST_CASE("Pores too narrow for particles are reported in a sentence") {
     const RandomFoam<3> tight{Box<3>{{0, 0, 0}, {1, 1, 1}}, {.pore_radius = 0.1, .porosity = 0.06}};
     CHECK_THAT(pore_report(tight, 0.01).sentence, contains("no passage"));
 }
+
+} // namespace sponges_test

@@ -3,6 +3,8 @@
 
 #include <imbibe/imbibe.hpp>
 
+namespace energy_test {
+
 namespace {
 
 namespace sph = imbibe;
@@ -59,3 +61,5 @@ TEST_CASE("A solid with a stress rate stores what a total-Lagrangian one does in
         CHECK(compression + shear == Approx(all).epsilon(1e-3));
     }
 }
+
+} // namespace energy_test

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+namespace guard_test {
+
 namespace {
 
 namespace sph = imbibe;
@@ -146,3 +148,5 @@ TEST_CASE("Bounds of a guard that make no sense are refused", "[guard]") {
     REQUIRE_THROWS_WITH(sph::Guard<2>({.lower = {0, 2}, .upper = {1, 1}}), contains("begins at 2 m"));
     REQUIRE_THROWS_WITH(sph::Guard<2>({.energy = 0}), contains("energy = 0"));
 }
+
+} // namespace guard_test

@@ -23,6 +23,8 @@
 
 #include <catch_shim.hpp>
 
+namespace checkpoint_test {
+
 namespace {
 
 namespace sph = imbibe;
@@ -253,3 +255,5 @@ TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpo
     sph::Guard<2> again({.interval = 1});
     CHECK_THROWS_AS(sph::run_and_recover(hopeless, 0.3, again, path, 1e6, 1, [](const sph::Error&) {}), sph::Error);
 }
+
+} // namespace checkpoint_test

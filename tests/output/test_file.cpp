@@ -5,6 +5,8 @@
 #include <catch_shim.hpp>
 #include <imbibe/output/file.hpp>
 
+namespace file_test {
+
 using namespace imbibe;
 using imbibe_test::contains;
 using output_test::content;
@@ -78,3 +80,5 @@ TEST_CASE("a folder is made, or refused before the run", "[output]") {
     }
     CHECK(std::distance(std::filesystem::directory_iterator(top / "a"), {}) == 1);
 }
+
+} // namespace file_test

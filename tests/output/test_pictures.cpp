@@ -7,6 +7,8 @@
 #include <imbibe/output/table.hpp>
 #include <sstream>
 
+namespace pictures_test {
+
 using imbibe::example::draw;
 using imbibe_test::contains;
 using output_test::fresh;
@@ -35,3 +37,5 @@ TEST_CASE("an example says why it could not draw", "[output]") {
     CHECK_FALSE(draw("plot_curves.py", {"/no such file.csv", "-o", "/no such folder/x.png"}, log));
     CHECK(log.str().find("this command failed") != std::string::npos);
 }
+
+} // namespace pictures_test

@@ -7,6 +7,8 @@
 #include <imbibe/output/table.hpp>
 #include <limits>
 
+namespace table_test {
+
 using namespace imbibe;
 using imbibe_test::contains;
 using output_test::content;
@@ -86,3 +88,5 @@ TEST_CASE("a table is continued after a restart", "[output]") {
     table.row({4, 5, 7});
     CHECK(content(path) == "time [s],drained mass [kg],steps\n1,2,3\n4,5,7\n");
 }
+
+} // namespace table_test

@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 
+namespace vtk_test {
+
 using namespace imbibe;
 using imbibe_test::contains;
 using output_test::content;
@@ -165,3 +167,5 @@ TEST_CASE("what cannot be written is refused with a reason", "[output]") {
     REQUIRE_THROWS_WITH(file.write(output_test::folder / "no such folder" / "x.vtp"), contains("cannot write"));
     REQUIRE_THROWS_WITH(VtkSeries(fresh("series_bad"), "a/b"), contains("phase name 'a/b'"));
 }
+
+} // namespace vtk_test

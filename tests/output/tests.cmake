@@ -20,3 +20,10 @@ add_test(NAME output_pictures
     COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/draw_pictures.py ${output_folder})
 set_tests_properties(output_read_vtk output_pictures PROPERTIES
     LABELS unit TIMEOUT 300 FIXTURES_REQUIRED output_files)
+
+# A hundred kills of the example: minutes.
+if(TARGET sponge)
+    add_test(NAME kill_sponge
+        COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/long/kill_sponge.py $<TARGET_FILE:sponge>)
+    set_tests_properties(kill_sponge PROPERTIES LABELS validation TIMEOUT 7200)
+endif()

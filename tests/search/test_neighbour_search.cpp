@@ -7,6 +7,8 @@
 #include <random>
 #include <set>
 
+namespace neighbour_search_test {
+
 namespace {
 
 using imbibe::search::NeighbourSearch;
@@ -177,3 +179,5 @@ TEST_CASE("Bad input to the neighbour search is refused by name", "[search]") {
     search.move(set, x);
     CHECK_THROWS_WITH(search.update(), imbibe_test::contains("point 2 of set 0"));
 }
+
+} // namespace neighbour_search_test

@@ -3,6 +3,8 @@
 
 #include <catch_shim.hpp>
 
+namespace neighbours_test {
+
 namespace {
 
 using namespace search_test;
@@ -279,3 +281,5 @@ TEST_CASE("A coordinate that is not finite is found", "[search]") {
             CHECK(imbibe::search::bounds_of(broken.points(), 2).not_finite == static_cast<int>(at));
         }
 }
+
+} // namespace neighbours_test

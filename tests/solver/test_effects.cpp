@@ -62,10 +62,6 @@ constexpr bool anyone_stores(auto field) {
     }(typename Composition::Phases{});
 }
 
-} // namespace effects_test
-
-using namespace effects_test;
-
 TEST_CASE("A fluid without viscosity stores and computes nothing viscous", "[effects]") {
     using Without = Scene<Inviscid>;
     using With = Scene<Viscous>;
@@ -190,3 +186,5 @@ TEST_CASE("Phases out of each other's reach have no neighbours to sweep, with pe
     CHECK(swept(scene) == std::pair(true, true));
     CHECK(speed() > 0);
 }
+
+} // namespace effects_test

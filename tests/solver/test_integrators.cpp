@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+namespace integrators_test {
+
 namespace {
 
 namespace sph = imbibe;
@@ -242,3 +244,5 @@ TEST_CASE("Neighbours that serve several steps", "[integrators]") {
     // particles that are removed leave no trace in the lists
     CHECK((drop_after(0.02, 0.2, 1, true) - drop_after(0.02, 0.2, 1000, true)).norm() < 1e-6);
 }
+
+} // namespace integrators_test

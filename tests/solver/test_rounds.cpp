@@ -3,6 +3,8 @@
 
 #include <catch_shim.hpp>
 
+namespace rounds_test {
+
 namespace {
 
 using namespace imbibe;
@@ -114,3 +116,5 @@ TEST_CASE("The rounds of the sound sponge", "[schedule]") {
     CHECK(Scene::keeps_reference<Sponge>);
     CHECK_FALSE(Scene::keeps_reference<Water>);
 }
+
+} // namespace rounds_test

@@ -71,10 +71,6 @@ constexpr bool stores(auto field) {
     return sph::detail::contains<std::remove_cvref_t<decltype(field)>, typename Scene::template FieldsOf<P>>;
 }
 
-} // namespace scene_test
-
-using namespace scene_test;
-
 TEST_CASE("What is off is not stored", "[scene]") {
     static_assert(std::is_same_v<StoneScene::FieldsOf<Stone>,
                                  sph::Fields<sph::position, sph::velocity, sph::acceleration, sph::mass>>);
@@ -451,3 +447,5 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
         CHECK(scene.warnings()[0] == sentence);
     }
 }
+
+} // namespace scene_test

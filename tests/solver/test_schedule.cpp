@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+namespace schedule_test {
+
 namespace {
 
 using imbibe::Bits;
@@ -386,3 +388,5 @@ TEST_CASE("Random graphs with an advanced state: a right order", "[schedule]") {
         check_plan(rows, schedule(rows, bits({0, 100})));
     }
 }
+
+} // namespace schedule_test

@@ -5,6 +5,8 @@
 
 #include <cstring>
 
+namespace sums_test {
+
 namespace {
 
 using namespace solver_test;
@@ -242,3 +244,5 @@ TEST_CASE("Particles are removed, the others stay as they were", "[scene]") {
     scene.step(1e-4);
     CHECK(scene[oil][sph::acceleration].allFinite());
 }
+
+} // namespace sums_test

@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+namespace artificial_stress_test {
+
 using namespace hand;
 
 namespace {
@@ -185,3 +187,5 @@ TEST_CASE("ArtificialStress: compression has none, tension repels, and Spiky's f
     CHECK(factor(CubicSpline{}, 1e-3 / 3) == Approx(24.4).epsilon(1e-2));
     CHECK(factor(CubicSpline{}, 0) == Approx(256));
 }
+
+} // namespace artificial_stress_test

@@ -3,6 +3,8 @@
 
 #include <imbibe/fluid/cleary_viscosity.hpp>
 
+namespace cleary_viscosity_test {
+
 using namespace cloud;
 
 namespace {
@@ -106,3 +108,5 @@ TEST_CASE("the limit of ClearyViscosity is dim/(dim + 2) of that of MorrisViscos
               Approx(MorrisViscosity<>::time_step_limit(oil(), in) * dim / (dim + 2)));
     }
 }
+
+} // namespace cleary_viscosity_test

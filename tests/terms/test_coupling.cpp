@@ -6,6 +6,8 @@
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/kernels/wendland.hpp>
 
+namespace coupling_test {
+
 using namespace hand;
 
 namespace {
@@ -154,3 +156,5 @@ TEST_CASE("the limit of the repulsion at its ends: at rest, and faster than it c
     CHECK(KernelRepulsion<WendlandC2>::time_step_limit(water(), sponge(), fast, {}) > 0);
     CHECK(std::string_view(KernelRepulsion<>::limit_name) == "repulsion stiffness");
 }
+
+} // namespace coupling_test

@@ -6,6 +6,8 @@
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
 
+namespace dry_run_test {
+
 using namespace hand;
 
 namespace {
@@ -79,3 +81,5 @@ TEST_CASE("the dry run sees which side of a pair is read") {
     CHECK(sides<KernelRepulsion<>, Mass, Water, Sponge>(mass) == "b");
     CHECK(sides<KernelRepulsion<>, Density, Water, Sponge>(density) == "ab");
 }
+
+} // namespace dry_run_test

@@ -9,6 +9,8 @@
 
 #include <Eigen/Eigenvalues>
 
+namespace fluid_test {
+
 using namespace hand;
 
 namespace {
@@ -223,3 +225,5 @@ TEST_CASE("the limit of MonaghanViscosity damps every wave on a lattice stably")
     check_room_under_the_limit<WendlandC4>();
     check_room_under_the_limit<WendlandC6>();
 }
+
+} // namespace fluid_test

@@ -4,6 +4,8 @@
 
 #include <imbibe/fluid/gradient_correction.hpp>
 
+namespace gradient_correction_test {
+
 using namespace cloud;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("CurrentCorrection and AntuonoDiffusion check their coefficients") {
     CHECK_THROWS_AS((CurrentCorrectionParameters{.full_above = 1e-3, .none_below = 2e-3}.check("Water")), Error);
     CHECK_THROWS_AS(AntuonoDiffusionParameters{.delta = -1}.check("Water"), Error);
 }
+
+} // namespace gradient_correction_test

@@ -8,6 +8,8 @@
 
 #include <Eigen/Dense>
 
+namespace hughes_winget_test {
+
 using namespace cloud;
 
 namespace {
@@ -164,3 +166,5 @@ TEST_CASE("HughesWingetStress in a scene: the solver tells the terms how long th
     CHECK(single < 0.05); // round-off of 1e5 steps in single precision
     CHECK(jaumann > 0.1);
 }
+
+} // namespace hughes_winget_test

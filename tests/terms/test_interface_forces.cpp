@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+namespace interface_forces_test {
+
 using namespace cloud;
 
 namespace {
@@ -235,3 +237,5 @@ TEST_CASE("the new couplings read what they should, where they should") {
     CHECK(sides<ReferenceSurfaceNormal<>::Sum, 3, Sponge>() == "| mass");
     CHECK(sides<ReferenceSurfaceNormal<>::Turn, 3, Sponge>() == "surface_normal_sum deformation_gradient |");
 }
+
+} // namespace interface_forces_test

@@ -3,6 +3,8 @@
 
 #include <imbibe/wall/no_slip.hpp>
 
+namespace morris_viscosity_test {
+
 using namespace cloud;
 
 namespace {
@@ -130,3 +132,5 @@ TEST_CASE("the limit of MorrisViscosity is 0.036 H^2/nu, and infinite without vi
     inviscid.viscosity = 0;
     CHECK(std::isinf(MorrisViscosity<>::time_step_limit(inviscid, in)));
 }
+
+} // namespace morris_viscosity_test

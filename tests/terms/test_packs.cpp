@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace packs_test {
+
 using namespace hand;
 
 namespace {
@@ -38,12 +40,41 @@ auto particle_for(Dice& dice, Vector<Number<double>, dim> where) {
     return p;
 }
 
+/// Results of packs beside those of single numbers; not a template, as the compiler would expand its assertions for
+/// every part and width.
+struct Comparison {
+    double size = 0, error = 0; ///< the greatest number, and the greatest difference in shares of its pair's greatest
+
+    /// @param room how far within the support the pair is, in supports. Near the rim a kernel is (1 - q)^n: an error of
+    /// the last bit in q weighs n/(1 - q).
+    void compare(const std::vector<double>& one, const std::vector<double>& many, double room) {
+        REQUIRE(one.size() == many.size());
+        double greatest = 1e-300;
+        for (const double x : one)
+            greatest = std::max(greatest, std::abs(x));
+        size = std::max(size, greatest);
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            REQUIRE(std::isfinite(many[i]));
+            if (room > 1e-4)
+                error = std::max(error, room * std::abs(one[i] - many[i]) / greatest);
+            else if (room < -1e-4)
+                REQUIRE((one[i] == 0 && many[i] == 0));
+        }
+    }
+    /// The two may differ where the compiler fuses products, and by the last bit of roots and quotients; twelfth powers
+    /// carry that difference on.
+    void check(double last_bit) const {
+        CHECK(size > 1e-300);
+        CHECK(error < 50 * last_bit);
+    }
+};
+
 template <class Real, int width, int dim, class C>
 void check_part() {
     using T = Pack<Real, width>;
     Dice dice(400 + dim);
     const typename C::Part part{};
-    double size = 0, error = 0;
+    Comparison seen;
     for (int k = 0; k < 20; ++k) {
         const auto a = particle_for<C, typename C::A>(dice, Vector<Number<double>, dim>::zero());
         std::vector<Particle<dim, Number<double>, typename C::B>> neighbours;
@@ -63,26 +94,11 @@ void check_part() {
             ab1.gravity_now = ab.gravity_now;
             const auto one = results(ab1, part(a1, b1, ab1));
             const auto many = results(ab, all, lane);
-            REQUIRE(one.size() == many.size());
-            double greatest = 1e-300;
-            for (const double x : one)
-                greatest = std::max(greatest, std::abs(x));
-            size = std::max(size, greatest);
-            // Near the rim of the support a kernel is (1 - q)^n: an error of the last bit in q weighs n/(1 - q).
             const double room = 1 - plain(ab1.distance) / H;
-            for (std::size_t i = 0; i < one.size(); ++i) {
-                REQUIRE(std::isfinite(many[i]));
-                if (room > 1e-4)
-                    error = std::max(error, room * std::abs(one[i] - many[i]) / greatest);
-                else if (room < -1e-4)
-                    REQUIRE((one[i] == 0 && many[i] == 0));
-            }
+            seen.compare(one, many, room);
         }
     }
-    CHECK(size > 1e-300);
-    // The two may differ where the compiler fuses products, and by the last bit of roots and quotients; twelfth powers
-    // carry that difference on.
-    CHECK(error < 50 * static_cast<double>(std::numeric_limits<Real>::epsilon()));
+    seen.check(static_cast<double>(std::numeric_limits<Real>::epsilon()));
 }
 
 template <class Real, int width, int dim>
@@ -110,3 +126,5 @@ TEST_CASE("a pack of neighbours gives what each of them gives alone, in the plan
     check_every_part<float, 8, 2>();
     check_every_part<double, 4, 2>();
 }
+
+} // namespace packs_test

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace pairs_test {
+
 using namespace hand;
 
 namespace {
@@ -18,11 +20,28 @@ std::pair<std::vector<double>, std::vector<double>> forces(const Part& part, con
             numbers(b_[mass] * contribution(ba, part(b_, a_, ba)))};
 }
 
+// The assertions are not templates: the compiler would expand them for every part.
 double greatest(const std::vector<double>& v) {
     double m = 0;
     for (const double x : v)
         m = std::max(m, std::abs(x));
     return m;
+}
+
+void check_opposite(const std::vector<double>& on_a, const std::vector<double>& on_b, double last_bit) {
+    const double size = greatest(on_a);
+    for (std::size_t i = 0; i < on_a.size(); ++i)
+        REQUIRE(std::abs(on_a[i] + on_b[i]) <= 4 * last_bit * size);
+}
+
+void check_zero(const std::vector<double>& v) {
+    for (const double x : v)
+        REQUIRE(x == 0);
+}
+
+void check_finite(const std::vector<double>& v) {
+    for (const double x : v)
+        REQUIRE(std::isfinite(x));
 }
 
 template <class Real, int dim>
@@ -35,13 +54,10 @@ void check_action_and_reaction() {
                 const auto a = ready_particle<typename C::A>(dice, dice.vector<dim>(0.4 * H));
                 auto b = ready_particle<typename C::B>(dice, dice.vector<dim>(0.4 * H));
                 const auto [on_a, on_b] = forces<Real, dim>(typename C::Part{}, a, b);
-                for (std::size_t i = 0; i < on_a.size(); ++i)
-                    REQUIRE(std::abs(on_a[i] + on_b[i]) <=
-                            4 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * greatest(on_a));
+                check_opposite(on_a, on_b, static_cast<double>(std::numeric_limits<Real>::epsilon()));
                 b.set(mass, a[mass]); // with equal masses to the last bit
                 const auto [same_a, same_b] = forces<Real, dim>(typename C::Part{}, a, b);
-                for (std::size_t i = 0; i < same_a.size(); ++i)
-                    REQUIRE(same_a[i] == -same_b[i]);
+                check_opposite(same_a, same_b, 0);
                 not_zero += greatest(on_a) > 0;
             }
             CHECK(not_zero > 50);
@@ -61,16 +77,13 @@ void check_beyond_the_support_and_self() {
             const auto far = (dice(1.001, 3) * H / norm(direction)) * direction;
             const auto b = as<T>(ready_particle<typename C::B>(dice, far));
             const auto ab = pair_of(a, b);
-            for (const double x : numbers(contribution(ab, part(a, b, ab))))
-                REQUIRE(x == 0);
+            check_zero(numbers(contribution(ab, part(a, b, ab))));
             // another particle in the same place: finite; the particle itself: nothing
             const auto twin = as<T>(ready_particle<typename C::B>(dice, Vector<Number<double>, dim>::zero()));
             const auto here = pair_of(a, twin);
-            for (const double x : numbers(contribution(here, part(a, twin, here))))
-                REQUIRE(std::isfinite(x));
+            check_finite(numbers(contribution(here, part(a, twin, here))));
             if constexpr (std::is_same_v<typename C::A, typename C::B>)
-                for (const double x : numbers(contribution(pair_of(a, a), part(a, a, pair_of(a, a)))))
-                    REQUIRE(x == 0);
+                check_zero(numbers(contribution(pair_of(a, a), part(a, a, pair_of(a, a)))));
         }
     });
 }
@@ -90,3 +103,5 @@ TEST_CASE("pair parts are zero beyond the support, and finite at distance zero")
     check_beyond_the_support_and_self<float, 2>();
     check_beyond_the_support_and_self<float, 3>();
 }
+
+} // namespace pairs_test

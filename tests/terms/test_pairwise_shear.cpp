@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+namespace pairwise_shear_test {
+
 using namespace cloud;
 
 namespace {
@@ -152,3 +154,5 @@ TEST_CASE("PairwiseShearForce resists displacements that alternate from particle
     check_alternating<2>();
     check_alternating<3>();
 }
+
+} // namespace pairwise_shear_test

@@ -3,6 +3,8 @@
 
 #include <imbibe/fluid/particle_shifting.hpp>
 
+namespace particle_shifting_test {
+
 using namespace cloud;
 
 namespace {
@@ -113,3 +115,5 @@ TEST_CASE("ParticleShifting checks its coefficients") {
     CHECK_THROWS_AS(ParticleShiftingParameters{.strength = -1}.check("Water"), Error);
     CHECK_THROWS_AS((ParticleShiftingParameters{.surface_below = 0.9, .inside_above = 0.8}.check("Water")), Error);
 }
+
+} // namespace particle_shifting_test

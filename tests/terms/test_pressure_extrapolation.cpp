@@ -3,6 +3,8 @@
 
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
+namespace pressure_extrapolation_test {
+
 using namespace cloud;
 
 namespace {
@@ -88,3 +90,5 @@ TEST_CASE("PressureExtrapolation: a wall that must not pull shows no negative pr
     }
     CHECK(pulling > 10);
 }
+
+} // namespace pressure_extrapolation_test

@@ -4,6 +4,8 @@
 
 #include <imbibe/wall/riemann_wall.hpp>
 
+namespace riemann_test {
+
 using namespace cloud;
 
 namespace {
@@ -269,3 +271,5 @@ TEST_CASE("the limits of the Riemann scheme: 0.3 H/c, and longer where nothing i
     CHECK_THROWS_AS(RiemannPressureParameters{.eta = -1}.check("Water"), Error);
     CHECK_THROWS_AS(RiemannWallPressureParameters{.eta = -1}.check("Sides"), Error);
 }
+
+} // namespace riemann_test

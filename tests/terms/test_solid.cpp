@@ -8,6 +8,8 @@
 #include <imbibe/solid/velocity_gradient.hpp>
 #include <imbibe/solid/xsph.hpp>
 
+namespace solid_test {
+
 using namespace hand;
 
 namespace {
@@ -253,3 +255,5 @@ TEST_CASE("Xsph is Eq. (19), XsphTransport moves with it") {
     check_xsph<2>();
     check_xsph<3>();
 }
+
+} // namespace solid_test

@@ -8,6 +8,8 @@
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
+namespace sound_reads_test {
+
 using namespace cloud;
 
 namespace {
@@ -51,3 +53,5 @@ TEST_CASE("the terms of the sound composition read what they should, where they 
     check_sides<2>();
     check_sides<3>();
 }
+
+} // namespace sound_reads_test

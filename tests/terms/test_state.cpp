@@ -4,6 +4,8 @@
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
 
+namespace state_test {
+
 using namespace hand;
 
 namespace {
@@ -51,3 +53,5 @@ TEST_CASE("the acoustic limit is one spacing at the fastest wave and the fastest
     CHECK(std::string_view(Tait<>::limit_name) == "sound");
     CHECK(std::string_view(LinearState::limit_name) == "sound");
 }
+
+} // namespace state_test

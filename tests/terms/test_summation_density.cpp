@@ -3,6 +3,8 @@
 
 #include <imbibe/fluid/summation_density.hpp>
 
+namespace summation_density_test {
+
 using namespace cloud;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("SummationFloor: its limit and its check") {
     CHECK(SummationFloor<K>::time_step_limit(water_here(), in, {.rate = 0.5}) == Approx(1e-3 / 15));
     CHECK_THROWS_AS(SummationFloorParameters{.rate = -1}.check("Water"), Error);
 }
+
+} // namespace summation_density_test

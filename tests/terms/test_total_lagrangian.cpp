@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+namespace total_lagrangian_test {
+
 using namespace cloud;
 
 namespace {
@@ -476,3 +478,5 @@ TEST_CASE("limits of the solid: the elastic wave, and nothing where nothing acts
     CHECK(TotalLagrangianViscosity<>::time_step_limit(s, in, {}) ==
           Approx(2 * 2.6e-3 / (14 * 0.02 * 10 / 3)).epsilon(1e-4));
 }
+
+} // namespace total_lagrangian_test

@@ -6,6 +6,8 @@
 #include <imbibe/fluid/density_floor.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 
+namespace volume_pressure_test {
+
 using namespace cloud;
 
 namespace {
@@ -195,3 +197,5 @@ TEST_CASE("DensityFloor lifts what is below and leaves what is above") {
     const TimeStepInput in{2.6e-3, 1e-3, 1, 1, 3};
     CHECK(DensityFloor::time_step_limit(heavy(), in, {}) == Approx(1e-3 / 30));
 }
+
+} // namespace volume_pressure_test

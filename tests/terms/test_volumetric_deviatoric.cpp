@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+namespace volumetric_deviatoric_test {
+
 using namespace cloud;
 
 namespace {
@@ -181,3 +183,5 @@ TEST_CASE("VolumetricDeviatoric reads what it should, where it should") {
     CHECK(sides<Law::Pressure, 3, Sponge>() == "volume_ratio_sum average_weight |");
     CHECK(sides<Law::Stress, 2, Sponge>() == "deformation_gradient volume_ratio averaged_mean_stress |");
 }
+
+} // namespace volumetric_deviatoric_test

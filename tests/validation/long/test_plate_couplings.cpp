@@ -124,7 +124,7 @@ using namespace plate_couplings;
 
 // Measured, relative to the dry plate: 0.995 extrapolated and guarded, 0.991 along normals, 0.97 repelled (with
 // restitution 0 too). The dry plate itself: 1.11 of the reference.
-TEST_CASE("Water on a soft plate weighs the same through every coupling", "[validation][solid][long]") {
+TEST_CASE("Water on a soft plate weighs the same through every coupling", "[validation][solid]") {
     constexpr int across = 5;
     // With 5 particles across the plate alone is 11 % too soft. What the coupling adds to that is looked at here.
     const double dry = dry_sag(across);
@@ -142,7 +142,7 @@ TEST_CASE("Water on a soft plate weighs the same through every coupling", "[vali
 }
 
 // Measured: 1.044 dry, 1.037 extrapolated, 1.033 along normals.
-TEST_CASE("Water on a soft plate of ten particles across bends it as elasticity says", "[validation][solid][long]") {
+TEST_CASE("Water on a soft plate of ten particles across bends it as elasticity says", "[validation][solid]") {
     const double extrapolated = wet_sag<PlateA, Extrapolated>(10) / soft_plate;
     const double along_normals = wet_sag<PlateB, AlongNormals>(10) / soft_plate;
     CAPTURE(extrapolated, along_normals);

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Kills the sponge at random moments until it has died a hundred times, and compares what the restarted runs leave with
+what one uninterrupted run leaves: the same bytes in the table, the last checkpoint and every file for ParaView.
+
+    python3 tests/output/long/kill_sponge.py build/sponge [--kills 100] [--seed 1]
+
+After each kill every file that carries its final name must be whole; the run goes on from its checkpoint.
+"""
+import argparse
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+CASE = ["--quick", "--end", "0.05", "--snapshots", "5", "--threads", "1"]
+
+
+def command(sponge, folder, *more):
+    return [sponge, *CASE, "--output", str(folder), "--checkpoints", "0.3", *more]
+
+
+def fail(words):
+    sys.exit(f"kill_sponge: {words}")
+
+
+def results(folder):
+    """What must be the same: name -> bytes. Pictures are drawn from these, and left out."""
+    files = sorted(f for f in folder.iterdir() if f.suffix in (".csv", ".vtp", ".pvd") or f.name == "checkpoint")
+    return {f.name: f.read_bytes() for f in files}
+
+
+def check_whole(folder):
+    """Files for ParaView end as they should, and what a series lists is there."""
+    for file in folder.glob("*.vt?"):
+        if not file.read_bytes().rstrip().endswith(b"</VTKFile>"):
+            fail(f"{file} is not whole")
+    for series in folder.glob("*.pvd"):
+        words = series.read_text()
+        if not words.rstrip().endswith("</VTKFile>"):
+            fail(f"{series} is not whole")
+        for part in words.split('file="')[1:]:
+            if not (folder / part.split('"')[0]).exists():
+                fail(f"{series} lists {part.split(chr(34))[0]}, which is not there")
+
+
+def run_with_kills(sponge, folder, chance, most, longest):
+    """Runs to the end through at most `most` kills; how many there were, and how many came before any checkpoint."""
+    kills = fresh_starts = 0
+    while True:
+        has_checkpoint = (folder / "checkpoint").exists()
+        fresh_starts += not has_checkpoint
+        process = subprocess.Popen(command(sponge, folder, *(["--restart"] if has_checkpoint else [])),
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        try:
+            words, _ = process.communicate(timeout=chance.uniform(0.05, longest) if kills < most else None)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            kills += 1
+            check_whole(folder)
+            continue
+        if process.returncode != 0:
+            fail(f"after {kills} kills the run ended with {process.returncode}:\n{words.decode()[-2000:]}")
+        return kills, fresh_starts
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("sponge")
+    parser.add_argument("--kills", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    chance = random.Random(options.seed)
+
+    with tempfile.TemporaryDirectory() as scratch:
+        whole = Path(scratch) / "whole"
+        began = time.monotonic()
+        subprocess.run(command(options.sponge, whole), check=True, stdout=subprocess.DEVNULL)
+        seconds = time.monotonic() - began
+        expected = results(whole)
+        if len(expected) < 10:
+            fail(f"the uninterrupted run left only {sorted(expected)}")
+
+        killed = runs = fresh_starts = 0
+        while killed < options.kills:
+            folder = Path(scratch) / f"killed_{runs}"
+            folder.mkdir()
+            kills, fresh = run_with_kills(options.sponge, folder, chance, options.kills - killed, seconds / 6)
+            found = results(folder)
+            if sorted(found) != sorted(expected):
+                fail(f"after {kills} kills there are other files: {sorted(set(found) ^ set(expected))}")
+            for name, content in expected.items():
+                if found[name] != content:
+                    shutil.copytree(scratch, "kill_sponge_differs", dirs_exist_ok=True)
+                    fail(f"after {kills} kills {name} differs; both are in kill_sponge_differs")
+            shutil.rmtree(folder)
+            killed, runs, fresh_starts = killed + kills, runs + 1, fresh_starts + fresh
+            print(f"run {runs}: {kills} kills, {fresh} starts without a checkpoint, the same bytes in {len(found)} "
+                  f"files", flush=True)
+    print(f"{killed} kills in {runs} runs, {fresh_starts} starts without a checkpoint: every run left the same bytes as "
+          f"the uninterrupted one")
+
+
+if __name__ == "__main__":
+    main()
