@@ -7,6 +7,7 @@ what one uninterrupted run leaves: the same bytes in the table, the last checkpo
 After each kill every file that carries its final name must be whole; the run goes on from its checkpoint.
 """
 import argparse
+import os
 import random
 import shutil
 import subprocess
@@ -16,6 +17,8 @@ import time
 from pathlib import Path
 
 CASE = ["--quick", "--end", "0.05", "--snapshots", "5", "--threads", "1"]
+# Without its tools the sponge draws no pictures, which would take longer than most of these runs live.
+SURROUNDINGS = {**os.environ, "IMBIBE_TOOLS": "none"}
 
 
 def command(sponge, folder, *more):
@@ -53,7 +56,7 @@ def run_with_kills(sponge, folder, chance, most, longest):
         has_checkpoint = (folder / "checkpoint").exists()
         fresh_starts += not has_checkpoint
         process = subprocess.Popen(command(sponge, folder, *(["--restart"] if has_checkpoint else [])),
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=SURROUNDINGS)
         try:
             words, _ = process.communicate(timeout=chance.uniform(0.05, longest) if kills < most else None)
         except subprocess.TimeoutExpired:
@@ -78,7 +81,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         whole = Path(scratch) / "whole"
         began = time.monotonic()
-        subprocess.run(command(options.sponge, whole), check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(command(options.sponge, whole), check=True, stdout=subprocess.DEVNULL, env=SURROUNDINGS)
         seconds = time.monotonic() - began
         expected = results(whole)
         if len(expected) < 10:
