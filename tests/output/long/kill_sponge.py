@@ -50,7 +50,7 @@ def check_whole(folder):
 
 
 def run_with_kills(sponge, folder, chance, most, longest):
-    """Runs to the end through at most `most` kills; how many there were, and how many came before any checkpoint."""
+    """Runs to the end through at most `most` kills; how many there were, and how many starts had no checkpoint."""
     kills = fresh_starts = 0
     while True:
         has_checkpoint = (folder / "checkpoint").exists()
@@ -104,7 +104,7 @@ def main():
             print(f"run {runs}: {kills} kills, {fresh} starts without a checkpoint, the same bytes in {len(found)} "
                   f"files", flush=True)
     print(f"{killed} kills in {runs} runs, {fresh_starts} starts without a checkpoint: every run left the same bytes as "
-          f"the uninterrupted one")
+          "the uninterrupted one")
 
 
 if __name__ == "__main__":
