@@ -35,13 +35,24 @@ struct WaterDiffusion : WaterWith<DensityDiffusion<K>> {};
 struct WaterFloor : WaterWith<DensityFloor> {};
 struct WaterXsph : WaterWith<Xsph<K>, XsphTransport> {};
 struct WaterShifting : WaterWith<ParticleShifting<K>> {};
+struct WaterTait : Fluid<Tait<7>, VolumeContinuity<K>, VolumePressure<K>> {};
+struct WaterSymmetric : Fluid<LinearState, Continuity<K>, SymmetricPressure<K>> {};
+struct WaterRiemann : Fluid<LinearState, RiemannContinuity<K>, RiemannPressure<K>> {};
+struct WaterSummation : Fluid<LinearState, SummationDensity<K>, VolumePressure<K>> {};
+struct WaterAntuono : WaterWith<CurrentCorrection<K>, AntuonoDiffusion<K>> {};
 struct Rubber : RubberWith<> {};
 struct RubberArtificial : RubberWith<ArtificialStress<K>> {};
 struct RubberMonaghan : RubberWith<MonaghanViscosity<K>> {};
+struct RubberHughesWinget
+    : Solid<LinearState, Continuity<K>, VelocityGradient<K>, HughesWingetStress<>, StressForce<K>> {};
 struct Plate : PlateWith<> {};
 struct PlateHourglass : PlateWith<HourglassControl<K>> {};
 struct PlateViscosity : PlateWith<TotalLagrangianViscosity<K>> {};
 struct PlateClamped : PlateWith<Clamped> {};
+struct PlateNeoHookean : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>> {};
+struct PlateVolumetric
+    : Solid<ReferenceCorrection<K>, DeformationGradient<K>, VolumetricDeviatoric<>, TotalLagrangianForce<K>> {};
+struct PlatePairwise : Solid<ReferenceCorrection<K>, DeformationGradient<K>, PairwiseShearForce<K>> {};
 
 template <class P>
 P material() {
@@ -83,7 +94,8 @@ void add(std::map<std::string, Case>& cases, const char* effect, const char* goo
 
 std::map<std::string, Case> all_cases() {
     std::map<std::string, Case> cases;
-    add<Water>(cases, "a fluid: state, continuity, pressure", "what the rows below are compared with");
+    add<Water>(cases, "a fluid: `LinearState`, `VolumeContinuity`, `VolumePressure`",
+               "what the rows below are compared with");
     add<WaterMonaghan>(cases, "`MonaghanViscosity`", "damps noise and sound; keeps particles apart in a shock");
     add<WaterLaminar>(cases, "`LaminarViscosity`", "the sponge paper's viscosity");
     add<WaterMorris>(cases, "`MorrisViscosity`", "real viscosity, where channels and boundary layers count");
@@ -92,13 +104,34 @@ std::map<std::string, Case> all_cases() {
     add<WaterFloor>(cases, "`DensityFloor`", "splashes: no tension where drops part");
     add<WaterXsph>(cases, "`Xsph` with `XsphTransport`", "particles that move with their neighbours, in order");
     add<WaterShifting>(cases, "`ParticleShifting`", "evenly spread particles where flow stretches them");
-    add<Rubber>(cases, "a solid with a stress rate", "what the rows below are compared with");
+    add<WaterAntuono>(cases, "`AntuonoDiffusion` with `CurrentCorrection`",
+                      "a smooth pressure, where gravity is not all that acts");
+    add<WaterRiemann>(cases, "`RiemannContinuity` and `RiemannPressure` in place of continuity and pressure",
+                      "impacts");
+    add<WaterSummation>(cases, "`SummationDensity` in place of `VolumeContinuity`",
+                        "a density that follows from the places alone");
+    add<WaterSymmetric>(cases, "`Continuity` and `SymmetricPressure` in place of those of volumes",
+                        "the sponge paper's pair, for one fluid");
+    add<WaterTait>(cases, "`Tait` in place of `LinearState`", "a liquid that stiffens under pressure");
+    add<Rubber>(
+        cases,
+        "a solid with a stress rate: `LinearState`, `Continuity`, `VelocityGradient`, `JaumannStress`, `StressForce`",
+        "what the rows below are compared with");
     add<RubberArtificial>(cases, "`ArtificialStress`", "keeps particles from clumping under tension");
     add<RubberMonaghan>(cases, "`MonaghanViscosity`", "damps waves that go from particle to particle");
-    add<Plate>(cases, "a total-Lagrangian solid", "what the rows below are compared with");
+    add<RubberHughesWinget>(cases, "`HughesWingetStress` in place of `JaumannStress`", "solids that turn far");
+    add<Plate>(cases,
+               "a total-Lagrangian solid: `ReferenceCorrection`, `DeformationGradient`, `StVenantKirchhoff`, "
+               "`TotalLagrangianForce`",
+               "what the rows below are compared with");
     add<PlateHourglass>(cases, "`HourglassControl`", "resists motions that leave the deformation gradient as it is");
     add<PlateViscosity>(cases, "`TotalLagrangianViscosity`", "damps what rings");
     add<PlateClamped>(cases, "`Clamped`", "holds some of the particles where they are");
+    add<PlateNeoHookean>(cases, "`NeoHookean` in place of `StVenantKirchhoff`", "large strains, above all compression");
+    add<PlatePairwise>(cases, "`PairwiseShearForce` in place of law and force",
+                       "solids that are hit, twisted or bent hard");
+    add<PlateVolumetric>(cases, "`VolumetricDeviatoric` in place of `StVenantKirchhoff`",
+                         "rubber that hardly changes its volume");
     return cases;
 }
 

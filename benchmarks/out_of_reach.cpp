@@ -1,6 +1,7 @@
 // What a coupling costs while its phases are out of each other's reach: a strip of the sponge under 5 mm of water, a
 // whole step with its search, float, one thread. The sponge alone, water and vessel alone, all of them with the water
-// still above the sponge's reach, and with the water on the sponge. For callgrind, as count_instructions.cpp:
+// still above the sponge's reach, and with the water on the sponge; the last also with a guard, which looks at all
+// particles in one of ten steps. For callgrind, as count_instructions.cpp:
 //
 //   python3 tools/count_instructions.py build-benchmark/benchmarks/out_of_reach -o out_of_reach.json
 //   build-benchmark/benchmarks/out_of_reach             the cases
@@ -8,6 +9,7 @@
 //   build-benchmark/benchmarks/out_of_reach --time CASE        prints the time of it, us per step
 #include "support/measured.hpp"
 
+#include <imbibe/monitor/guard.hpp>
 #include <imbibe/presets/sponge.hpp>
 
 #include <map>
@@ -52,25 +54,39 @@ auto alone(double gap) {
 
 constexpr double dry = 4.5e-3, wet = 0.4e-3; // m of air between water and sponge
 
+constexpr int steps = 10; // as many as from one look of a guard to the next
+
 template <class Scene>
-double count(Scene scene) {
-    scene.step(1e-6);
-    scene.step(1e-6);
-    bench::count([&] { scene.step(1e-6); });
-    return 1;
+void advance(Scene& scene, Guard<3>* guard) {
+    for (int k = 0; k < steps; ++k) {
+        scene.step(1e-6);
+        if (guard)
+            (*guard)(scene);
+    }
+}
+// Wide bounds: the scene begins under stress, with water in the reach of the sponge's repulsion.
+const GuardSettings<3> bounds{.energy = 100};
+
+template <class Scene>
+double count(Scene scene, bool guarded) {
+    Guard<3> guard(bounds);
+    advance(scene, guarded ? &guard : nullptr);
+    bench::count([&] { advance(scene, guarded ? &guard : nullptr); });
+    return steps;
 }
 template <class Scene>
-double microseconds(Scene scene) {
-    return bench::shortest_seconds(30, [&] { scene.step(1e-6); }) * 1e6;
+double microseconds(Scene scene, bool guarded) {
+    Guard<3> guard(bounds);
+    return bench::shortest_seconds(6, [&] { advance(scene, guarded ? &guard : nullptr); }) * 1e6 / steps;
 }
 
 struct Case {
     double (*count)();
     double (*microseconds)();
 };
-template <class Make>
+template <bool guarded = false, class Make>
 Case of(Make) {
-    return {[] { return count(Make{}()); }, [] { return microseconds(Make{}()); }};
+    return {[] { return count(Make{}(), guarded); }, [] { return microseconds(Make{}(), guarded); }};
 }
 
 } // namespace
@@ -81,6 +97,7 @@ int main(int argc, char** argv) {
         {"water_alone", of([] { return alone<Water, Vessel, Walls>(dry); })},
         {"out_of_reach", of([] { return together(dry); })},
         {"within_reach", of([] { return together(wet); })},
+        {"guarded", of<true>([] { return together(wet); })},
     };
     const std::string last = argc > 1 ? argv[argc - 1] : "";
     if (argc == 2 && cases.contains(last)) {

@@ -29,12 +29,17 @@ def effects():
     """{effect: [(what was measured, numbers)]}"""
     found, base = {}, ""
     for effect, *numbers, _ in rows("effects.md", "| effect |"):
+        own, _, other = effect.partition(" in place of ")
+        names = re.findall(r"`(\w+)", own)
         if effect.startswith("**"):
-            base = effect.strip("*")
-        names = re.findall(r"`(\w+)", effect)
+            base = effect.strip("*").partition(":")[0]
         for name in names:
-            rest = "".join(f" and {it}" for it in names if it != name)
-            found.setdefault(name, []).append((f"[beside {base}{rest}](@ref effects)", numbers))
+            if effect.startswith("**"):
+                what = f"[all of {base}](@ref effects)"
+            else:
+                rest = "".join(f" and {it}" for it in names if it != name)
+                what = f"[{'in' if other else 'beside'} {base}{rest}](@ref effects)"
+            found.setdefault(name, []).append((what + (f" in place of {other}" if other else ""), numbers))
     for name, time, _ in rows("speed.md", "| term | ns per particle |"):
         name, _, once = name.partition(" ")
         words = " ".join(["alone in a sweep", *once.split()])
