@@ -48,7 +48,8 @@ struct GuardSettings {
                                                       /// The upper corner of the domain, m.
         upper = filled(std::numeric_limits<double>::infinity());
     /// How much kinetic and potential energy may appear, as a share of what the scene turns over (its kinetic energy,
-    /// or the potential energy that has been released, whichever is more). Infinite: not looked at, as for scenes that
+    /// or the potential energy that has been released, whichever is more), and beside what rounding of positions may
+    /// have put in. Infinite: not looked at, as for scenes that
     /// start under stress or that something drives. Not looked at either while a wall moves.
     double energy = 0.2;
 
@@ -221,9 +222,9 @@ private:
         const double half_bit = 0.5 * std::numeric_limits<typename Scene::Real>::epsilon();
         double energy = 0;
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
-            if (P::moves && s.size() > 0) {
+            if constexpr (P::moves) {
                 const auto phase = scene[PhaseHandle<P>{}];
-                for (int d = 0; d < dim; ++d)
+                for (int d = 0; d < dim && s.size() > 0; ++d)
                     energy += half_bit * static_cast<double>(phase[mass].sum()) *
                               std::abs(scene.settings().gravity[static_cast<std::size_t>(d)]) *
                               static_cast<double>(phase[position].col(d).cwiseAbs().maxCoeff());

@@ -52,8 +52,11 @@ def check_whole(folder):
 def run_with_kills(sponge, folder, chance, most, longest):
     """Runs to the end through at most `most` kills; how many there were, and how many starts had no checkpoint."""
     kills = fresh_starts = 0
+    has_checkpoint = False
     while True:
-        has_checkpoint = (folder / "checkpoint").exists()
+        had_one, has_checkpoint = has_checkpoint, (folder / "checkpoint").exists()
+        if had_one and not has_checkpoint:
+            fail(f"after {kills} kills the checkpoint that was there is gone")
         fresh_starts += not has_checkpoint
         process = subprocess.Popen(command(sponge, folder, *(["--restart"] if has_checkpoint else [])),
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=SURROUNDINGS)
