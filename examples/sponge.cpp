@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
     output.folder = folder;
     output.snapshot_interval = snapshots * 1e-3;
     try {
+        sph::example::refuse_options_of_the_other(app, composition);
         const auto result = sph::example::run_sponge(composition, precision, numbers, end, output);
         sph::example::print_summary(numbers, result, output);
         return result.failure.empty() && result.conserved ? 0 : 1;

@@ -89,6 +89,7 @@ int main(int argc, char** argv) {
     int failures = 0;
     std::vector<std::string> tables, labels;
     try {
+        sph::example::refuse_options_of_the_other(app, composition);
         for (const Case& c : cases_of(study, composition, numbers)) {
             sph::example::SpongeOutput output;
             output.folder = root / c.name;

@@ -107,6 +107,8 @@ def main():
     rows = (claims_on_pores if arguments.study == "pores" else claims_on_support)(tables)
     order = "r = 0.5, 1, 1.5, 2 mm" if arguments.study == "pores" else "h = 1, 1.1, 1.2, 1.3 mm"
     lines = [f"| claim ({arguments.composition}) | {order} | |", "|---|---|---|"]
+    rows.append(("4. Left open by the authors: K_f as a function of h, several fluids, solidification", "-",
+                 "not a matter of these runs"))
     lines += [f"| {claim} | {numbers} | {said} |" for claim, numbers, said in rows]
     print("\n" + "\n".join(lines))
     if arguments.output:

@@ -18,16 +18,16 @@ constexpr double length = 0.35, thickness = 0.02;
 struct Beam {
     PlateScene scene;
     sph::PhaseHandle<ElasticPlate> plate;
-    int across;
+    EndProbe probe;
     Beam(int layers, double young, double support_ratio)
-        : scene({.gravity = {0, -2}, .support_radius = support_ratio * thickness / layers, .threads = 1}),
-          across(layers) {
-        const double spacing = thickness / across;
+        : scene({.gravity = {0, -2}, .support_radius = support_ratio * thickness / layers, .threads = 1}) {
+        const double spacing = thickness / layers;
         const sph::Box<2> box{{-4 * spacing, -thickness / 2}, {length, thickness / 2}};
         plate = scene.add(elastic<ElasticPlate>(young, 0.4, 1000), sph::fill(box, spacing), spacing);
         scene.hold(plate, [](const auto& x) { return x[0] < 0; });
+        probe = EndProbe(scene[plate], layers);
     }
-    sph::Point<2> end() const { return end_displacement(scene[plate], across); }
+    sph::Point<2> end() const { return probe.displacement(scene[plate]); }
 };
 
 /// Where the middle of the end comes to rest, m from its first place.

@@ -43,7 +43,7 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
     app.add_option("--stiffness", numbers.stiffness, "K_f of Eq. (24), paper's composition, Pa")->capture_default_str();
     app.add_option("--time-step", numbers.time_step, "fixed time step, s; 0: adaptive (sound), 1e-5 s (paper)")
         ->capture_default_str();
-    app.add_option("--cfl", numbers.cfl, "share of the shortest limit that an adaptive time step takes")
+    app.add_option("--cfl", numbers.cfl, "share of the shortest limit that an adaptive step takes, sound composition")
         ->capture_default_str();
     app.add_option("--search-interval", numbers.search_interval,
                    "greatest number of steps between two searches for neighbours; 0: 4 (sound), 100 (paper)")
@@ -57,6 +57,23 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
     app.add_option("--threads", numbers.threads, "threads; 0: all")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+}
+
+/// Throws Error for an option on the command line that the composition would not listen to.
+inline void refuse_options_of_the_other(const CLI::App& app, const std::string& composition) {
+    const bool paper = composition == "paper";
+    for (const auto& [name, of_the_paper] : {std::pair{"--support", true},
+                                             {"--shear-modulus", true},
+                                             {"--artificial-stress", true},
+                                             {"--stiffness", true},
+                                             {"--support-ratio", false},
+                                             {"--young-modulus", false},
+                                             {"--cfl", false}}) {
+        const CLI::Option* option = app.get_option_no_throw(name);
+        require(option == nullptr || option->count() == 0 || paper == of_the_paper, name,
+                " has no effect in the composition ", composition, "; leave it out, or say --composition ",
+                of_the_paper ? "paper" : "sound");
+    }
 }
 
 } // namespace imbibe::example

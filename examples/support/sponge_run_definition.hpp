@@ -62,6 +62,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     using Water = typename C::Water;
     using Sponge = typename C::Sponge;
     require(std::isfinite(end) && end > 0, "end time = ", end, " s; it must be above 0 s");
+    numbers.check(); // before a folder is made
     require_writable(output.folder);
 
     auto scene = C::template make<Real>(numbers);
@@ -104,7 +105,9 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                                       {"compression energy of the water", "J"},
                                       {"kinetic energy of the sponge", "J"},
                                       {"elastic energy of the sponge", "J"},
-                                      {"vertical momentum", "kg m/s"},
+                                      {"momentum along x", "kg m/s"},
+                                      {"momentum along y", "kg m/s"},
+                                      {"momentum along z", "kg m/s"},
                                       {"least density of the water", "kg/m^3"},
                                       {"greatest density of the water", "kg/m^3"},
                                       {"time step", "s"}};
@@ -163,11 +166,12 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         }
         ++row_count;
         result.drained = below();
+        const Point<3> all = momentum(water) + momentum(sponge);
         const double particle = 1000 * numbers.water_spacing * numbers.water_spacing * numbers.water_spacing;
         table.row({s.time(), mean, probe.mean_vector(sponge)[2], probe.greatest(sponge),
                    result.drained * water_at_start * particle, result.drained, kinetic_energy(water),
                    potential_energy(water, s.settings().gravity), compression_energy(water), kinetic_energy(sponge),
-                   stored_energy<C>(sponge), momentum(water)[2] + momentum(sponge)[2],
+                   stored_energy<C>(sponge), all[0], all[1], all[2],
                    water.size() > 0 ? static_cast<double>(water[density].minCoeff()) : 0.0,
                    water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds});
     };

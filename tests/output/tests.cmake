@@ -21,8 +21,12 @@ add_test(NAME output_pictures
 set_tests_properties(output_read_vtk output_pictures PROPERTIES
     LABELS unit TIMEOUT 300 FIXTURES_REQUIRED output_files)
 
-# A hundred kills of the example: minutes.
+# The example itself: some steps of it, and, which takes minutes, a hundred kills. Label `examples`: not in the default
+# command, because the sponge takes a compiler long.
 if(TARGET sponge)
+    add_test(NAME run_sponge
+        COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/run_sponge.py $<TARGET_FILE:sponge>)
+    set_tests_properties(run_sponge PROPERTIES LABELS examples TIMEOUT 1800)
     add_test(NAME kill_sponge
         COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/long/kill_sponge.py $<TARGET_FILE:sponge>)
     set_tests_properties(kill_sponge PROPERTIES LABELS validation TIMEOUT 7200)

@@ -402,6 +402,22 @@ TEST_CASE("NeoHookean is Hooke's law for small strains, and pushes back when tur
     CHECK(plain(NeoHookean{}(p))(0, 0) < -1e6);
 }
 
+TEST_CASE("NeoHookean in simple shear has a shear stress of the modulus times the shear, however far") {
+    auto body = block<2>(foam(), 1, 0);
+    auto& p = body.front();
+    for (const double shear : {0.1, 0.5, 1.0, 1.57, 3.0}) {
+        Matrix<2> F = Matrix<2>::Identity();
+        F(0, 1) = shear;
+        p.set(deformation_gradient, tensor<2>(F));
+        p.set(first_piola_stress, tensor<2>(plain(NeoHookean{}(p))));
+        const Matrix<2> sigma = plain(CauchyStress{}(p));
+        CAPTURE(shear);
+        CHECK(sigma(0, 1) == Approx(2.7e4 * shear).epsilon(1e-12));
+        CHECK(sigma(0, 0) == Approx(2.7e4 * shear * shear).epsilon(1e-12)); // it also pulls along (Poynting)
+        CHECK(std::abs(sigma(1, 1)) < 1e-9);
+    }
+}
+
 TEST_CASE("ReferenceCorrection: full at corners and struts, gives way for sheets and single particles") {
     const auto corner = jittered<3>(4, 2), strut = jittered<3>(2, 3);
     for (const auto* body : {&corner, &strut})

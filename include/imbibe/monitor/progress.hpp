@@ -40,12 +40,19 @@ public:
         if (!done && seconds(shown_, now) < (live_ ? 0.5 : 20))
             return;
         shown_ = now;
-        const double wall = seconds(started_, now), share = end_ > begin_ ? (scene.time() - begin_) / (end_ - begin_) : 1;
-        std::printf("%s%5.1f %%  t %.4f s  step %lld  dt %.2e s (%s, %s)  %.2f M particle-steps/s  left %s%s",
-                    live_ ? "\r" : "", 100 * share, scene.time(), scene.steps(), scene.last_step().seconds,
-                    scene.last_step().reason.c_str(), scene.last_step().where.c_str(), work_ / wall * 1e-6,
-                    share > 0 ? clock_text(wall * (1 - share) / share).c_str() : "?", live_ && !done ? "   " : "\n");
+        std::printf("%s%s%s", live_ ? "\r" : "", line(scene).c_str(), live_ && !done ? "   " : "\n");
         std::fflush(stdout);
+    }
+    /// What it prints: share, time, step, length of the step and what limits it, pace, wall time left.
+    template <class Scene>
+    std::string line(const Scene& scene) const {
+        const double wall = wall_seconds(), share = end_ > begin_ ? (scene.time() - begin_) / (end_ - begin_) : 1;
+        char numbers[120], pace[60];
+        std::snprintf(numbers, sizeof numbers, "%5.1f %%  t %.4f s  step %lld  dt %.2e s (", 100 * share, scene.time(),
+                      static_cast<long long>(scene.steps()), scene.last_step().seconds);
+        std::snprintf(pace, sizeof pace, ")  %.2f M particle-steps/s  left ", work_ / wall * 1e-6);
+        return numbers + scene.last_step().reason + ", " + scene.last_step().where + pace +
+               (share > 0 ? clock_text(wall * (1 - share) / share) : "?");
     }
     /// Wall time since the observer was made, s.
     double wall_seconds() const { return seconds(started_, Clock::now()); }

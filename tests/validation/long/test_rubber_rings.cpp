@@ -116,7 +116,7 @@ TEST_CASE("Two rubber rings rebound as whole rings", "[validation][solid]") {
     }
     const sph::Point<2> start = sph::momentum(view);
     const double energy = sph::kinetic_energy(view), of_one = view[sph::mass](0) * static_cast<double>(n) * speed;
-    double closest = 1, closest_pair = spacing, next = 0;
+    double closest = 1, closest_pair = spacing, next = 0, least = energy, growth = 0;
     scene.run_until(0.03, [&](const auto& s) {
         const sph::Point<2> between = mean_of(view, sph::position, n, all) - mean_of(view, sph::position, 0, n);
         closest = std::min(closest, between.norm());
@@ -125,6 +125,9 @@ TEST_CASE("Two rubber rings rebound as whole rings", "[validation][solid]") {
             closest_pair = std::min(closest_pair, now.closest);
             CAPTURE(s.time(), now.sizes, now.closest / spacing);
             CHECK(now.sizes.size() <= 2); // never a fragment, also while they touch
+            const double held = sph::kinetic_energy(view) + sph::compression_energy(view) + sph::shear_energy<2>(view);
+            growth = std::max(growth, held - least);
+            least = std::min(least, held);
             next += 1e-3;
         }
     });
@@ -135,7 +138,7 @@ TEST_CASE("Two rubber rings rebound as whole rings", "[validation][solid]") {
     const double energy_left = sph::kinetic_energy(view) / energy;
     const auto rings_left = pieces(view, 1.5 * spacing).sizes;
     CAPTURE(scene.steps(), closest, closest_pair / spacing, between.norm(), rebound, 1e15 * momentum_error,
-            energy_left);
+            energy_left, least / energy, growth / energy);
     CHECK(closest < 2 * outer - 2 * spacing);                      // they did collide
     CHECK(rings_left == std::vector<int>(2, static_cast<int>(n))); // two rings, each whole, free of each other
     CHECK(between[0] > 0);                                         // and not through each other
@@ -144,4 +147,5 @@ TEST_CASE("Two rubber rings rebound as whole rings", "[validation][solid]") {
     // (0.50 with twice the viscosity, 0.24 with a support of 3 spacings).
     CHECK(closest_pair > 0.4 * spacing);
     CHECK(momentum_error < 1e-12);
+    CHECK(growth < 0.01 * energy); // viscosity takes energy, nothing gives any
 }

@@ -1,0 +1,95 @@
+// What a scene says of itself: the report at the start, the live line, the estimate of the wall time.
+#include <catch_shim.hpp>
+
+#include <imbibe/imbibe.hpp>
+
+namespace reports_test {
+
+namespace {
+
+namespace sph = imbibe;
+using K = sph::WendlandC2;
+
+struct Water : sph::Fluid<sph::Tait<7>, sph::Continuity<K>, sph::SymmetricPressure<K>, sph::MonaghanViscosity<K>> {};
+struct Tank : sph::Wall<> {};
+struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>> {};
+using Scene = sph::Solver<2, float, sph::SymplecticEuler, Water, Tank, Sides>;
+
+Scene dam() {
+    constexpr double dx = 0.02;
+    Scene scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .threads = 1});
+    scene.add(Water{{.density = 1000, .sound_speed = 45}}, sph::fill(sph::Box<2>({0, 0}, {0.2, 0.4}), dx), dx);
+    scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {0.5, 0.6}), dx, 3, sph::Sides::y_high), dx);
+    return scene;
+}
+
+bool says(const std::string& text, const std::string& what) {
+    INFO(text);
+    CAPTURE(what);
+    CHECK(text.find(what) != std::string::npos);
+    return text.find(what) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("The report of a scene names effects, fields, bytes, sweeps, neighbours and limits", "[reports]") {
+    Scene scene = dam();
+    const std::string report = sph::describe(scene);
+    says(report, "Scene in 2D, float");
+    says(report, "1 thread, ");
+    says(report, "support radius 52 mm");
+    says(report, "Water: 200 particles, spacing 20 mm, ");
+    says(report, "effects: Tait<7>, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>, MonaghanViscosity<WendlandC2>");
+    says(report, "PressureExtrapolation<WendlandC2>");
+    says(report, sph::text("Schedule: ", Scene::Scene::plan.rounds, " rounds, "));
+    const auto& s = scene.engine().template state<Water>();
+    says(report, sph::text(std::remove_cvref_t<decltype(s)>::component_total * 4, " bytes each"));
+    for (const char* field : {"position", "velocity", "density", "pressure", "mass"})
+        says(report, field);
+    says(report, "Neighbours: Water has ");
+    says(report, " MB for neighbours");
+    const auto limits = scene.time_step_limits();
+    REQUIRE(limits.size() >= 2);
+    for (const auto& limit : limits)
+        says(report, sph::text(limit.seconds, " s (", limit.reason, ", ", limit.where, ")"));
+    scene.step();
+    const double greatest = scene.get<Water>()[sph::acceleration].rowwise().norm().maxCoeff();
+    const auto after = scene.time_step_limits();
+    const auto acceleration =
+        std::find_if(after.begin(), after.end(), [](const auto& limit) { return limit.reason == "acceleration"; });
+    REQUIRE(acceleration != after.end());
+    CHECK(acceleration->seconds == Approx(std::sqrt(0.02 / greatest)).epsilon(1e-6)); // sqrt(spacing / |a|)
+}
+
+TEST_CASE("The report says what the first step will be", "[reports]") {
+    Scene scene = dam();
+    const std::string report = sph::describe(scene);
+    const auto limits = scene.time_step_limits();
+    says(report, sph::text("first step ", scene.next_step().seconds, " s, from ", limits.front().reason));
+}
+
+TEST_CASE("The live line says how far, how fast, what limits the step, and how long still", "[reports]") {
+    Scene scene = dam();
+    sph::Progress progress(1.0, false);
+    progress(scene); // before the first step
+    while (scene.steps() < 30)
+        scene.step();
+    const std::string line = progress.line(scene);
+    char expected[80];
+    std::snprintf(expected, sizeof expected, "%5.1f %%  t %.4f s  step 30  dt %.2e s (", 100 * scene.time(),
+                  scene.time(), scene.last_step().seconds);
+    CHECK(line.rfind(expected, 0) == 0);
+    says(line, "(" + scene.last_step().reason + ", " + scene.last_step().where + ")");
+    says(line, " M particle-steps/s  left ");
+    CHECK(std::isdigit(static_cast<unsigned char>(line.back())));
+}
+
+TEST_CASE("The estimate of the wall time grows with the time to go", "[reports]") {
+    Scene scene = dam();
+    const double once = sph::estimate_wall_seconds(scene, 1, 40), far = sph::estimate_wall_seconds(scene, 100, 40);
+    CHECK(once > 0);
+    CHECK(far > 10 * once); // 100 times as much, but the machine may be busy in between
+    CHECK(scene.steps() == 0); // of a copy
+}
+
+} // namespace reports_test
