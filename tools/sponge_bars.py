@@ -3,7 +3,7 @@
 
     python3 tools/sponge_bars.py out-study/sound-r*-h2.6 -o bars.md
 
-Reads each folder's table (sponge.csv) and all of its snapshots. Needs scipy (Debian: python3-scipy).
+Reads each folder's table (sponge.csv) and all of its snapshots. Needs scipy (`sh tools/install_packages.sh studies`).
 
 The bars: no water behind the walls; at most one particle of the water in a thousand nearer than half a spacing to the
 sponge; a density within 2 % of that at rest. What has no bar is shown to be judged: how many of the water's particles
@@ -22,7 +22,7 @@ from plot_curves import read_table
 try:
     from scipy.spatial import cKDTree
 except ImportError:
-    sys.exit("sponge_bars.py: needs scipy; on Debian: apt-get install python3-scipy")
+    sys.exit("sponge_bars.py: needs scipy; on Debian: sh tools/install_packages.sh studies")
 
 SIDE = 35e-3  # m: the tank and the slab are as long as that, and as wide, but for a strip, which is periodic across
 SETTLED = 60e-3  # s: the sound of the impact, at 30 ms, has died away

@@ -67,9 +67,9 @@ public:
     }
     /// The runs of particle i.
     Range operator[](int i) const {
-        const Run* base = blocks[static_cast<std::size_t>(i / block_size)].data();
-        return {base + (i % block_size == 0 ? 0 : ends[static_cast<std::size_t>(i - 1)]),
-                base + ends[static_cast<std::size_t>(i)]};
+        const auto k = static_cast<std::size_t>(i);
+        const Run* base = blocks[k / block_size].data();
+        return {base + (k % block_size == 0 ? 0 : ends[k - 1]), base + ends[k]};
     }
     /// Bytes held for particles, for reports.
     std::size_t bytes() const {

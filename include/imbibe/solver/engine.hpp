@@ -196,15 +196,15 @@ private:
         return this->template link<P, typename S::B, S::reference>().runs.is_empty();
     }
     template <class P, class S>
-    SourceData<dim, Real> source_data() const {
+    SourceData<dim, FieldsOf<typename S::B>, Real> source_data() const {
         const auto& b = this->template state<typename S::B>();
         const auto& l = this->template link<P, typename S::B, S::reference>();
-        SourceData<dim, Real> source{};
+        SourceData<dim, FieldsOf<typename S::B>, Real> source{};
+        const Real* data = b.data();
         if constexpr (State<typename S::B>::keeps_reference && !S::reference)
-            source.data = b.image_data();
-        else
-            source.data = b.data();
-        source.stride = b.stride();
+            data = b.image_data();
+        for (std::size_t k = 0; k < source.columns.size(); ++k)
+            source.columns[k] = data + k * b.stride();
         source.runs = &l.runs;
         source.support = l.support;
         source.periodic = &this->periodic;

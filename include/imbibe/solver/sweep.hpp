@@ -15,24 +15,29 @@ IMBIBE_INLINE Vector<T, dim> in_numbers(const Vector<double, dim>& v) {
     return result;
 }
 
+/// Where each component of a phase's fields begins. They are kept in memory and not made from a stride where they are
+/// used: a compiler that knows the stride adds up addresses for every column of every pack.
+template <int dim, class List, class Real>
+using Columns = std::array<const Real*, static_cast<std::size_t>(component_count<dim, List>)>;
+
 /// A pack of consecutive neighbours as a part sees them. That only declared fields are read, the dry run has checked.
 template <class P, class List, int dim, class Real, int width>
 struct NeighbourView {
     using Material = P;
     using Scalar = Pack<Real, width>;
     static constexpr int dimension = dim;
-    const Real* data;
-    std::size_t stride;
+    const Columns<dim, List, Real>& columns;
+    std::size_t first; ///< the number of the first
     const P& material;
     const Vector<double, dim>& gravity_now;
     const Vector<Real, dim>& image; ///< displacement of the periodic image through which they are seen
 
     template <class F>
     IMBIBE_INLINE auto operator[](F) const {
-        constexpr int first = component_offset<dim, F, List>;
+        constexpr std::size_t column = component_offset<dim, F, List>;
         Value<F, dim, Scalar> v;
         for (int k = 0; k < components(F::rank, dim); ++k)
-            component(v, k) = Scalar::load(data + static_cast<std::size_t>(first + k) * stride);
+            component(v, k) = Scalar::load(columns[column + static_cast<std::size_t>(k)] + first);
         if constexpr (std::is_same_v<F, Position> || std::is_same_v<F, ReferencePosition>)
             for (int k = 0; k < dim; ++k)
                 component(v, k) += Scalar(image[k]);
@@ -161,11 +166,10 @@ struct AddsOfNodes<TypeList<N...>> {
     using type = Unique<Concat<typename N::Adds...>>;
 };
 
-/// What a sweep needs to know of one source.
-template <int dim, class Real>
+/// What a sweep needs to know of one source, with the fields of List.
+template <int dim, class List, class Real>
 struct SourceData {
-    const Real* data;
-    std::size_t stride;
+    Columns<dim, List, Real> columns;
     const search::RunList* runs;
     double support;
     const search::Periodic<dim>* periodic;
@@ -176,9 +180,9 @@ struct SourceData {
 /// What a single node contributes for one run of neighbours.
 template <class N, class ListB, class Own, int dim, class Real, int width, class Part, class Adds>
 IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums, const Own& a,
-                           const SourceData<dim, Real>& source, const typename N::B& material_b,
+                           const SourceData<dim, ListB, Real>& source, const typename N::B& material_b,
                            const Pair<dim, Pack<Real, width>>& ab, const search::Run& run) {
-    const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.data + run.first, source.stride, material_b,
+    const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.columns, run.first, material_b,
                                                                   ab.gravity_now, source.images[run.shift]};
     add_all<dim, Pack<Real, width>, Adds, N>(sums, part(a, b, ab),
                                              std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
@@ -200,7 +204,7 @@ template <class S, class ListB, class... N, class A, class ListA, class Adds, cl
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
                           const PhaseState<A, ListA, dim, Real>& state, const Own& a,
-                          const SourceData<dim, Real>& source, const typename S::B& material_b, int i,
+                          const SourceData<dim, ListB, Real>& source, const typename S::B& material_b, int i,
                           const PartTuple& parts) {
     using T = Pack<Real, width>;
     using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
@@ -220,15 +224,18 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
                                               static_cast<Real>(source.periodic->length[d]));
     // Where it is as seen through each periodic image; without periodic sides that is one place.
     Real places[static_cast<std::size_t>(search::image_count<dim>)][static_cast<std::size_t>(dim)];
-    for (int image = 0; image < source.image_number; ++image)
-        for (int d = 0; d < dim; ++d)
-            places[image][d] = here[d] - source.images[static_cast<std::size_t>(image)][d];
+    for (int d = 0; d < dim; ++d)
+        places[0][d] = here[d];
+    if (source.image_number > 1) [[unlikely]]
+        for (int image = 1; image < source.image_number; ++image)
+            for (int d = 0; d < dim; ++d)
+                places[image][d] = here[d] - source.images[static_cast<std::size_t>(image)][d];
 
     for (const search::Run run : (*source.runs)[i]) {
         const Real* const place = places[run.shift];
         for (int d = 0; d < dim; ++d)
             ab.offset[d] =
-                T(place[d]) - T::load(source.data + static_cast<std::size_t>(place_b + d) * source.stride + run.first);
+                T(place[d]) - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
         T distance2 = squared_norm(ab.offset);
         if constexpr (width > 1) // what is beyond the run's count is put where every kernel is zero
             distance2 = select_first(run.count, distance2, outside);
