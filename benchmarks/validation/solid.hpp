@@ -24,8 +24,8 @@ using PlateScene = sph::Solver<2, double, sph::SymplecticEuler, ElasticPlate>;
 
 using sph::bench::elastic;
 
-/// Follows the middle of the far end of a plate along x that has `across` particles over its thickness: the end is half a
-/// spacing beyond the last column of particles.
+/// Follows the middle of the far end of a plate along x that has `across` particles over its thickness: the end is half
+/// a spacing beyond the last column of particles.
 class EndProbe {
 public:
     EndProbe() = default;

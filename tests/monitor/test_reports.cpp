@@ -39,7 +39,8 @@ TEST_CASE("The report of a scene names effects, fields, bytes, sweeps, neighbour
     says(report, "1 thread, ");
     says(report, "support radius 52 mm");
     says(report, "Water: 200 particles, spacing 20 mm, ");
-    says(report, "effects: Tait<7>, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>, MonaghanViscosity<WendlandC2>");
+    says(report,
+         "effects: Tait<7>, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>, MonaghanViscosity<WendlandC2>");
     says(report, "PressureExtrapolation<WendlandC2>");
     says(report, sph::text("Schedule: ", Scene::Scene::plan.rounds, " rounds, "));
     const auto& s = scene.engine().template state<Water>();
@@ -88,7 +89,7 @@ TEST_CASE("The estimate of the wall time grows with the time to go", "[reports]"
     Scene scene = dam();
     const double once = sph::estimate_wall_seconds(scene, 1, 40), far = sph::estimate_wall_seconds(scene, 100, 40);
     CHECK(once > 0);
-    CHECK(far > 10 * once); // 100 times as much, but the machine may be busy in between
+    CHECK(far > 10 * once);    // 100 times as much, but the machine may be busy in between
     CHECK(scene.steps() == 0); // of a copy
 }
 

@@ -57,12 +57,12 @@ double share_in_the_sponge(const Water& water, const Sponge& sponge, const Spong
 struct Seen {
     std::vector<double> times, displacement, drained; ///< s, m, share of the water
     double peak = 0, late_mean = 0;                   ///< m; the first peak, and the mean over the last 40 %
-    double off_density = 0;      ///< the greatest share of the water, at any moment, off by over 2 % in density
-    double off_later = 0;        ///< the same from 30 ms after the impact on
+    double off_density = 0; ///< the greatest share of the water, at any moment, off by over 2 % in density
+    double off_later = 0;   ///< the same from 30 ms after the impact on
     double lightest = 1e300, densest = 0; ///< of all particles of the water at any moment, kg/m^3
-    double in_the_sponge = 0;    ///< the greatest share nearer than half a spacing to the sponge
-    double beyond_the_walls = 0; ///< how far water was outside the tank, m
-    int lost = 0;                ///< particles neither in the scene nor drained
+    double in_the_sponge = 0;             ///< the greatest share nearer than half a spacing to the sponge
+    double beyond_the_walls = 0;          ///< how far water was outside the tank, m
+    int lost = 0;                         ///< particles neither in the scene nor drained
 };
 
 /// Runs a composition of presets/sponge.hpp to `end`, s.

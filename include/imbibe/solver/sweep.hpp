@@ -182,8 +182,8 @@ template <class N, class ListB, class Own, int dim, class Real, int width, class
 IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums, const Own& a,
                            const SourceData<dim, ListB, Real>& source, const typename N::B& material_b,
                            const Pair<dim, Pack<Real, width>>& ab, const search::Run& run) {
-    const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.columns, run.first, material_b,
-                                                                  ab.gravity_now, source.images[run.shift]};
+    const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.columns, run.first, material_b, ab.gravity_now,
+                                                                  source.images[run.shift]};
     add_all<dim, Pack<Real, width>, Adds, N>(sums, part(a, b, ab),
                                              std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
 }
@@ -234,8 +234,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     for (const search::Run run : (*source.runs)[i]) {
         const Real* const place = places[run.shift];
         for (int d = 0; d < dim; ++d)
-            ab.offset[d] =
-                T(place[d]) - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
+            ab.offset[d] = T(place[d]) - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
         T distance2 = squared_norm(ab.offset);
         if constexpr (width > 1) // what is beyond the run's count is put where every kernel is zero
             distance2 = select_first(run.count, distance2, outside);

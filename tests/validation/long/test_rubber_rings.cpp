@@ -137,8 +137,8 @@ TEST_CASE("Two rubber rings rebound as whole rings", "[validation][solid]") {
     const double momentum_error = (sph::momentum(view) - start).norm() / of_one;
     const double energy_left = sph::kinetic_energy(view) / energy;
     const auto rings_left = pieces(view, 1.5 * spacing).sizes;
-    CAPTURE(scene.steps(), closest, closest_pair / spacing, between.norm(), rebound, 1e15 * momentum_error,
-            energy_left, least / energy, growth / energy);
+    CAPTURE(scene.steps(), closest, closest_pair / spacing, between.norm(), rebound, 1e15 * momentum_error, energy_left,
+            least / energy, growth / energy);
     CHECK(closest < 2 * outer - 2 * spacing);                      // they did collide
     CHECK(rings_left == std::vector<int>(2, static_cast<int>(n))); // two rings, each whole, free of each other
     CHECK(between[0] > 0);                                         // and not through each other
