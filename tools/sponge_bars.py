@@ -32,10 +32,11 @@ def beyond_the_walls(water, vessel, spacing):
     """How far behind the faces of the walls the water is, m, and the number of particles that are outside of the tank,
     where they come over its rim. Those about to leave below are not asked."""
     across = [0] if np.ptp(vessel[:, 1]) < SIDE / 2 else [0, 1]
-    places = water[water[:, 2] > vessel[:, 2].min() + 2 * spacing][:, across]
-    behind = np.maximum(-places, places - SIDE).max(axis=1, initial=0)
-    outside = behind > -vessel[:, 0].min() + spacing / 2
-    return behind[~outside].max(initial=0), outside.sum()
+    water = water[water[:, 2] > vessel[:, 2].min() + 2 * spacing]
+    behind = np.maximum(-water[:, across], water[:, across] - SIDE).max(axis=1, initial=0)
+    thickness = -vessel[:, 0].min() + spacing / 2
+    in_the_walls = (behind < thickness) & (water[:, 2] < vessel[:, 2].max())
+    return behind[in_the_walls].max(initial=0), (behind >= thickness).sum()
 
 
 def off_by_two_percent(density):
