@@ -39,10 +39,6 @@ def beyond_the_walls(water, vessel, spacing):
     return behind[in_the_walls].max(initial=0), (behind >= thickness).sum()
 
 
-def off_by_two_percent(density):
-    return float((abs(density / 1000 - 1) > 0.02).mean())
-
-
 def bars_of(folder):
     """{what: text} of one run."""
     greatest = {}
@@ -66,7 +62,11 @@ def bars_of(folder):
         behind, outside = beyond_the_walls(water, particle_files.read_snapshot(vessel).points, spacing)
         see("behind the walls", behind / spacing, time)
         see("outside", outside, time)
-        see("off" if time < SETTLED else "off, settled", off_by_two_percent(now.arrays["density"]), time)
+        see("off" if time < SETTLED else "off, settled", (abs(now.arrays["density"] / 1000 - 1) > 0.02).mean(),
+            time)
+
+    if not greatest:
+        sys.exit(f"sponge_bars.py: {folder} has no snapshot with water; run with --snapshots above 0")
 
     table = read_table(os.path.join(folder, "sponge.csv"))
     least, most = table["least density of the water"][1], table["greatest density of the water"][1]

@@ -2,8 +2,7 @@
 #include "mix.hpp"
 
 #include <catch_shim.hpp>
-
-#include <cstring>
+#include <scene_bits.hpp>
 
 namespace sums_test {
 
@@ -89,22 +88,6 @@ TEST_CASE("Sums where every particle meets its own images", "[scene]") {
 
 namespace {
 
-// Everything a scene holds, particle by particle.
-template <class Scene>
-std::vector<std::uint64_t> bits_of(const Scene& scene) {
-    std::vector<std::uint64_t> bits;
-    scene.engine().for_each_phase([&](auto, const auto& s) {
-        for (int k = 0; k < std::remove_cvref_t<decltype(s)>::component_total; ++k)
-            for (int i = 0; i < s.size(); ++i) {
-                std::uint64_t word = 0;
-                std::memcpy(&word, s.column(k) + i, sizeof(typename Scene::Real));
-                bits.push_back(word);
-            }
-        bits.insert(bits.end(), s.ids.begin(), s.ids.end());
-    });
-    return bits;
-}
-
 // Momentum, kg m/s.
 template <int dim, class Scene>
 Eigen::Matrix<double, dim, 1> momentum(const Scene& scene) {
@@ -122,16 +105,16 @@ Eigen::Matrix<double, dim, 1> momentum(const Scene& scene) {
 } // namespace
 
 TEST_CASE("The same bits with 1, 2 and 4 threads, and a second time", "[scene]") {
-    std::vector<std::vector<std::uint64_t>> runs;
+    std::vector<std::vector<unsigned char>> runs;
     for (int threads : {1, 2, 4, 1}) {
         Mix<3, double> mix(14, 1, 2.1, threads);
         auto scene = mix.make();
         CHECK(scene.threads() == threads);
         for (int k = 0; k < 50; ++k)
             scene.step(2e-4);
-        runs.push_back(bits_of(scene));
+        runs.push_back(imbibe_test::bits_of(scene));
     }
-    CHECK(runs[0].size() > 14 * 14 * 14 * 10);
+    CHECK(runs[0].size() > 14 * 14 * 14 * 10 * sizeof(double));
     CHECK(runs[0] == runs[1]);
     CHECK(runs[0] == runs[2]);
     CHECK(runs[0] == runs[3]);
