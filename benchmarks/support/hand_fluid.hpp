@@ -19,7 +19,7 @@ public:
     static constexpr int width = native_width<Real>;
     /// Operations for one neighbour if all is done in one sweep, as they stand in `sweep`: additions, multiplications,
     /// maxima, quotients and roots count one each.
-    static constexpr double operations_per_neighbour = 43;
+    static constexpr double operations_per_neighbour = 42;
 
     std::array<std::vector<Real>, 3> acceleration;
     std::vector<Real> density_rate, density;
@@ -97,8 +97,8 @@ private:
         const double H = support;
         // grad W = -20 normalisation/H^5 (1 - r/H)^3 x_ab; the constant comes in when the sums are complete.
         const Real slope = static_cast<Real>(-20 * WendlandC2::normalisation<3>() / power<5>(H));
-        const T inverse(1 / H), outside(1.0001 * H * H), minus_support(-H), epsilon(0.01 * H * H);
-        const T linear(2 * alpha * sound_speed), quadratic(2 * beta);
+        const T inverse(1 / H), outside(1.0001 * H * H), epsilon(0.01 * H * H);
+        const T linear(2 * alpha * sound_speed * H), quadratic(2 * beta * H * H);
         Real numbers[width];
         for (int k = 0; k < width; ++k)
             numbers[k] = static_cast<Real>(k);
@@ -120,8 +120,8 @@ private:
                 if constexpr (with_density)
                     rate += weight * approach; // 2
                 if constexpr (with_force) {
-                    const T mu = positive_part(minus_support * approach) / (r2 + epsilon);                     // 4
-                    const T Pi = mu * (linear + quadratic * mu) / (own_density + T::load(density.data() + j)); // 5
+                    const T mu = negative_part(approach / (r2 + epsilon));                                     // 3
+                    const T Pi = mu * (quadratic * mu - linear) / (own_density + T::load(density.data() + j)); // 5
                     const T push = weight * (own_pressure + T::load(pressure_term.data() + j) + Pi);           // 3
                     a0 += push * d0, a1 += push * d1, a2 += push * d2;                                         // 6
                 }

@@ -21,6 +21,23 @@
 #else
 #define IMBIBE_INLINE inline
 #endif
+// What always holds, told to the compiler.
+#if defined(__GNUC__) || defined(__clang__)
+#define IMBIBE_ASSUME(condition)                                                                                       \
+    do {                                                                                                               \
+        if (!(condition))                                                                                              \
+            __builtin_unreachable();                                                                                   \
+    } while (false)
+#else
+#define IMBIBE_ASSUME(condition) static_cast<void>(0)
+#endif
+
+// Before a loop over the components of a vector or tensor: g++ may leave it a loop, and the components in memory.
+#if defined(__GNUC__) && !defined(__clang__)
+#define IMBIBE_UNROLL _Pragma("GCC unroll 9")
+#else
+#define IMBIBE_UNROLL
+#endif
 
 namespace imbibe {
 
@@ -204,11 +221,6 @@ using Number = Pack<Real, 1>;
 
 namespace detail {
 
-template <class T>
-inline constexpr bool is_pack = false;
-template <class Real, int width>
-inline constexpr bool is_pack<Pack<Real, width>> = true;
-
 // A square root that constant evaluation can pass through: there the value is irrelevant (dry runs of terms), so a
 // few Newton steps from above are good enough.
 template <class Real>
@@ -260,30 +272,47 @@ IMBIBE_INLINE constexpr A select(bool where, A a, std::type_identity_t<A> b) {
 // The zero-masking forms with a full mask below are the plain instructions; g++ 12 warns of an uninitialised value
 // inside its own header for the unmasked ones.
 
-/// The larger of two numbers, lane by lane. One instruction where the machine has one.
+namespace detail {
+
+/// The greater or the smaller of two numbers, lane by lane. One instruction where the machine has one.
+template <bool greater, class Real, int width>
+IMBIBE_INLINE constexpr Pack<Real, width> extreme(Pack<Real, width> a, Pack<Real, width> b) {
+    using P [[maybe_unused]] = Pack<Real, width>;
+    [[maybe_unused]] const auto made = [](auto lanes) { return P(typename P::Lanes(lanes)); };
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+    if constexpr (width * sizeof(Real) == 64 && sizeof(Real) == 4) {
+        const auto x = __m512(a.lanes), y = __m512(b.lanes);
+        return made(greater ? _mm512_maskz_max_ps(0xffff, x, y) : _mm512_maskz_min_ps(0xffff, x, y));
+    } else if constexpr (width * sizeof(Real) == 64) {
+        const auto x = __m512d(a.lanes), y = __m512d(b.lanes);
+        return made(greater ? _mm512_maskz_max_pd(0xff, x, y) : _mm512_maskz_min_pd(0xff, x, y));
+    } else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
+    if constexpr (width * sizeof(Real) == 32 && sizeof(Real) == 4) {
+        const auto x = __m256(a.lanes), y = __m256(b.lanes);
+        return made(greater ? _mm256_max_ps(x, y) : _mm256_min_ps(x, y));
+    } else if constexpr (width * sizeof(Real) == 32) {
+        const auto x = __m256d(a.lanes), y = __m256d(b.lanes);
+        return made(greater ? _mm256_max_pd(x, y) : _mm256_min_pd(x, y));
+    } else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__SSE2__)
+    if constexpr (width * sizeof(Real) == 16 && sizeof(Real) == 4) {
+        const auto x = __m128(a.lanes), y = __m128(b.lanes);
+        return made(greater ? _mm_max_ps(x, y) : _mm_min_ps(x, y));
+    } else if constexpr (width * sizeof(Real) == 16) {
+        const auto x = __m128d(a.lanes), y = __m128d(b.lanes);
+        return made(greater ? _mm_max_pd(x, y) : _mm_min_pd(x, y));
+    } else
+#endif
+        return select(greater ? a > b : a < b, a, b);
+}
+
+} // namespace detail
+
+/// The larger of two numbers, lane by lane.
 template <class Real, int width>
 IMBIBE_INLINE constexpr Pack<Real, width> max(Pack<Real, width> a, std::type_identity_t<Pack<Real, width>> b) {
-    using P = Pack<Real, width>;
-#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
-    if constexpr (width * sizeof(Real) == 64 && sizeof(Real) == 4)
-        return P(typename P::Lanes(_mm512_maskz_max_ps(0xffff, __m512(a.lanes), __m512(b.lanes))));
-    else if constexpr (width * sizeof(Real) == 64)
-        return P(typename P::Lanes(_mm512_maskz_max_pd(0xff, __m512d(a.lanes), __m512d(b.lanes))));
-    else
-#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
-    if constexpr (width * sizeof(Real) == 32 && sizeof(Real) == 4)
-        return P(typename P::Lanes(_mm256_max_ps(__m256(a.lanes), __m256(b.lanes))));
-    else if constexpr (width * sizeof(Real) == 32)
-        return P(typename P::Lanes(_mm256_max_pd(__m256d(a.lanes), __m256d(b.lanes))));
-    else
-#elif IMBIBE_VECTOR_EXTENSION && defined(__SSE2__)
-    if constexpr (width * sizeof(Real) == 16 && sizeof(Real) == 4)
-        return P(typename P::Lanes(_mm_max_ps(__m128(a.lanes), __m128(b.lanes))));
-    else if constexpr (width * sizeof(Real) == 16)
-        return P(typename P::Lanes(_mm_max_pd(__m128d(a.lanes), __m128d(b.lanes))));
-    else
-#endif
-        return select(a > b, a, b);
+    return detail::extreme<true>(a, b);
 }
 /// The same for plain numbers.
 template <class A>
@@ -293,10 +322,9 @@ IMBIBE_INLINE constexpr A max(A a, std::type_identity_t<A> b) {
 }
 
 /// The smaller of two numbers, lane by lane.
-template <class A>
-    requires detail::is_pack<A>
-IMBIBE_INLINE constexpr A min(A a, std::type_identity_t<A> b) {
-    return -max(-a, -b);
+template <class Real, int width>
+IMBIBE_INLINE constexpr Pack<Real, width> min(Pack<Real, width> a, std::type_identity_t<Pack<Real, width>> b) {
+    return detail::extreme<false>(a, b);
 }
 /// The same for plain numbers.
 template <class A>
@@ -309,6 +337,12 @@ IMBIBE_INLINE constexpr A min(A a, std::type_identity_t<A> b) {
 template <class T>
 IMBIBE_INLINE constexpr T positive_part(T x) {
     return max(x, T(0));
+}
+
+/// min(x, 0)
+template <class T>
+IMBIBE_INLINE constexpr T negative_part(T x) {
+    return min(x, T(0));
 }
 
 /// |x|

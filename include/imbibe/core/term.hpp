@@ -55,6 +55,10 @@ struct Pair {
 
     /// 1 / max(|x_a - x_b|, 1e-6 H): finite also for the particle itself.
     IMBIBE_INLINE constexpr T inverse_distance() const { return T(1) / max(distance, T(1e-6) * support_radius); }
+    /// The square of that, with one quotient and no root.
+    IMBIBE_INLINE constexpr T inverse_squared_distance() const {
+        return T(1) / max(squared_norm(offset), sq(T(1e-6) * support_radius));
+    }
 
     /// W_ab of a kernel with this pair's support radius, 1/m^dim.
     template <class Kernel>
@@ -64,16 +68,24 @@ struct Pair {
     /// The factor F_ab with grad_a W_ab = F_ab (x_a - x_b), 1/m^(dim+2): negative where W falls with distance.
     template <class Kernel>
     IMBIBE_INLINE constexpr T gradient(Kernel) const {
-        if constexpr (requires(T x) { Kernel::derivative_over_q(x); })
-            return scale<dim + 2>(Kernel::template normalisation<dim>()) * Kernel::derivative_over_q(q());
+        constexpr double normalisation = Kernel::template normalisation<dim>();
+        if constexpr (requires(T x) { Kernel::derivative_over_q(x, x); })
+            return Kernel::derivative_over_q(q(), scale<dim + 2>(normalisation));
+        else if constexpr (requires(T x) { Kernel::derivative_over_q(x); })
+            return scale<dim + 2>(normalisation) * Kernel::derivative_over_q(q());
+        else if constexpr (requires(T x) { Kernel::derivative(x, x); })
+            return Kernel::derivative(q(), scale<dim + 1>(normalisation)) * inverse_distance();
         else
-            return scale<dim + 1>(Kernel::template normalisation<dim>()) * Kernel::derivative(q()) *
-                   inverse_distance();
+            return scale<dim + 1>(normalisation) * Kernel::derivative(q()) * inverse_distance();
     }
     /// The Laplacian of W_ab, 1/m^(dim+2).
     template <class Kernel>
     IMBIBE_INLINE constexpr T laplacian(Kernel) const {
-        return scale<dim + 2>(Kernel::template normalisation<dim>()) * Kernel::laplacian(q());
+        constexpr double normalisation = Kernel::template normalisation<dim>();
+        if constexpr (requires(T x) { Kernel::laplacian(x, x); })
+            return Kernel::laplacian(q(), scale<dim + 2>(normalisation));
+        else
+            return scale<dim + 2>(normalisation) * Kernel::laplacian(q());
     }
     /// W_ab / W(length): how much closer than `length` the pair is, in terms of the kernel. `length` < H.
     template <class Kernel>
@@ -193,6 +205,11 @@ template <class R>
 inline constexpr bool is_tuple = false;
 template <class... T>
 inline constexpr bool is_tuple<std::tuple<T...>> = true;
+
+template <class R>
+inline constexpr bool is_central = false;
+template <class T>
+inline constexpr bool is_central<Central<T>> = true;
 
 } // namespace detail
 } // namespace imbibe

@@ -150,6 +150,7 @@ IMBIBE_INLINE constexpr T norm(const Vector<T, n>& a) {
 template <class T, int n>
 IMBIBE_INLINE constexpr Tensor<T, n> outer(const Vector<T, n>& a, const Vector<T, n>& b) {
     Tensor<T, n> t{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
             t(i, j) = a[i] * b[j];
@@ -176,6 +177,7 @@ constexpr SymmetricTensor<T, n> symmetric_identity() {
 template <class T, int n>
 IMBIBE_INLINE constexpr Vector<T, n> operator*(const Tensor<T, n>& t, const Vector<T, n>& v) {
     Vector<T, n> r{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i) {
         r[i] = t(i, 0) * v[0];
         for (int j = 1; j < n; ++j)
@@ -187,6 +189,7 @@ IMBIBE_INLINE constexpr Vector<T, n> operator*(const Tensor<T, n>& t, const Vect
 template <class T, int n>
 IMBIBE_INLINE constexpr Vector<T, n> operator*(const SymmetricTensor<T, n>& t, const Vector<T, n>& v) {
     Vector<T, n> r{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i) {
         r[i] = t(i, 0) * v[0];
         for (int j = 1; j < n; ++j)
@@ -198,6 +201,7 @@ IMBIBE_INLINE constexpr Vector<T, n> operator*(const SymmetricTensor<T, n>& t, c
 template <class T, int n>
 IMBIBE_INLINE constexpr Tensor<T, n> operator*(const Tensor<T, n>& a, const Tensor<T, n>& b) {
     Tensor<T, n> r{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
             r(i, j) = a(i, 0) * b(0, j);
@@ -210,6 +214,7 @@ IMBIBE_INLINE constexpr Tensor<T, n> operator*(const Tensor<T, n>& a, const Tens
 template <class T, int n>
 IMBIBE_INLINE constexpr Tensor<T, n> transpose(const Tensor<T, n>& t) {
     Tensor<T, n> r{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
             r(i, j) = t(j, i);
@@ -228,6 +233,7 @@ IMBIBE_INLINE constexpr typename A::Scalar trace(const A& t) {
 template <class T, int n>
 IMBIBE_INLINE constexpr SymmetricTensor<T, n> symmetric_part(const Tensor<T, n>& t) {
     SymmetricTensor<T, n> s{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i)
         for (int j = i; j < n; ++j)
             s(i, j) = T(0.5) * (t(i, j) + t(j, i));
@@ -237,6 +243,7 @@ IMBIBE_INLINE constexpr SymmetricTensor<T, n> symmetric_part(const Tensor<T, n>&
 template <class T, int n>
 IMBIBE_INLINE constexpr Tensor<T, n> antisymmetric_part(const Tensor<T, n>& t) {
     Tensor<T, n> s{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
             s(i, j) = T(0.5) * (t(i, j) - t(j, i));
@@ -246,6 +253,7 @@ IMBIBE_INLINE constexpr Tensor<T, n> antisymmetric_part(const Tensor<T, n>& t) {
 template <class T, int n>
 IMBIBE_INLINE constexpr Tensor<T, n> full(const SymmetricTensor<T, n>& s) {
     Tensor<T, n> t{};
+    IMBIBE_UNROLL
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
             t(i, j) = s(i, j);
@@ -273,6 +281,7 @@ IMBIBE_INLINE constexpr Tensor<T, n> adjugate(const Tensor<T, n>& t) {
     } else if constexpr (n == 2) {
         r(0, 0) = t(1, 1), r(0, 1) = -t(0, 1), r(1, 0) = -t(1, 0), r(1, 1) = t(0, 0);
     } else {
+        IMBIBE_UNROLL
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) { // cyclic indices carry the sign of the cofactor
                 const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;

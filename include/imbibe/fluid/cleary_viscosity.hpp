@@ -42,7 +42,7 @@ struct ClearyViscosity {
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
         constexpr int dim = std::remove_cvref_t<decltype(a)>::dimension;
         const double eta = detail::harmonic_viscosity(a.material, b.material);
-        const auto approach = dot(a[velocity] - b[velocity], ab.offset) * sq(ab.inverse_distance());
+        const auto approach = dot(a[velocity] - b[velocity], ab.offset) * ab.inverse_squared_distance();
         return along(ab,
                      (2 * (dim + 2) * eta) * b[mass] / (a[density] * b[density]) * approach * ab.gradient(Kernel{}));
     }

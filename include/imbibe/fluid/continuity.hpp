@@ -21,7 +21,7 @@ struct Continuity {
     using adds = Fields<density_rate>;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        return b[mass] * dot(a[velocity_field] - b[velocity_field], ab.offset) * ab.gradient(Kernel{});
+        return (b[mass] * ab.gradient(Kernel{})) * dot(a[velocity_field] - b[velocity_field], ab.offset);
     }
 };
 

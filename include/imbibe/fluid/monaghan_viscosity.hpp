@@ -51,13 +51,14 @@ struct MonaghanViscosity {
     Parameters parameters{};
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        // H and the halves of the means are multiplied with the coefficients, which do not change from pair to pair.
         const auto H = ab.support_radius;
-        const auto approach = positive_part(-H * dot(a[velocity] - b[velocity], ab.offset) /
-                                            (squared_norm(ab.offset) + sq(0.1 * H))); // -mu where mu < 0
+        const auto approach = negative_part(dot(a[velocity] - b[velocity], ab.offset) /
+                                            (squared_norm(ab.offset) + sq(0.1 * H))); // mu/H where mu < 0
         const double c = 0.5 * (a.material.sound_speed + b.material.sound_speed);
-        const auto Pi =
-            approach * (parameters.alpha * c + parameters.beta * approach) / (0.5 * (a[density] + b[density]));
-        return along(ab, -(b[mass] * Pi) * ab.gradient(Kernel{}));
+        const auto Pi = approach * ((2 * parameters.beta) * sq(H) * approach - (2 * parameters.alpha * c) * H) /
+                        (a[density] + b[density]);
+        return along(ab, -((b[mass] * ab.gradient(Kernel{})) * Pi));
     }
 
     static constexpr const char* limit_name = "artificial viscosity";

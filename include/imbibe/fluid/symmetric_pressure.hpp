@@ -36,8 +36,8 @@ struct SymmetricPressure {
         using adds = Fields<acceleration>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            return along(ab,
-                         -(b[mass] * (a[pressure_over_density2] + b[pressure_over_density2])) * ab.gradient(Kernel{}));
+            return along(
+                ab, -((b[mass] * ab.gradient(Kernel{})) * (a[pressure_over_density2] + b[pressure_over_density2])));
         }
     };
     using parts = Parts<Prepare, Push>;

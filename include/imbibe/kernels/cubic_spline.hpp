@@ -31,12 +31,12 @@ struct CubicSpline {
     }
     /// w'(q) = -3 (1 - q)^2 + 12 (1/2 - q)^2
     template <class T>
-    IMBIBE_INLINE static constexpr T derivative(T q) {
+    IMBIBE_INLINE static constexpr T derivative(T q, T scale = T(1)) {
         // The difference of squares as a product; its first factor, (1 - q) - 2 (1/2 - q), is q in the inner half
         // and 1 - q in the outer, and written so it loses no digits near the centre.
         const T outer = positive_part(T(1) - q);
         const T inner = positive_part(T(0.5) - q);
-        return T(-3) * min(q, outer) * (outer + T(2) * inner);
+        return (T(-3) * scale) * min(q, outer) * (outer + T(2) * inner);
     }
 };
 

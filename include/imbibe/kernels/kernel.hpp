@@ -30,6 +30,9 @@ namespace imbibe {
 /// `normalisation` refuses, with a readable line, a dimension in which the kernel has another shape.
 ///
 /// Two members are optional: see HasDerivativeOverQ and HasLaplacian.
+///
+/// Where a function begins with a number, it may take a second argument, `T scale = T(1)`, that multiplies it: a sweep
+/// gives the constant of the support there, and the product of the two is no work in the pair loop.
 template <class K>
 concept Kernel = requires(double q, float p) {
     { K::name } -> std::convertible_to<const char*>;

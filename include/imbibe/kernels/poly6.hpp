@@ -35,8 +35,8 @@ struct Poly6 {
     }
     /// w'(q)/q = -6 (1 - q^2)^2
     template <class T>
-    IMBIBE_INLINE static constexpr T derivative_over_q(T q) {
-        return T(-6) * power<2>(positive_part(T(1) - q) * (T(1) + q));
+    IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
+        return (T(-6) * scale) * power<2>(positive_part(T(1) - q) * (T(1) + q));
     }
 };
 

@@ -34,12 +34,12 @@ struct QuinticSpline {
     }
     /// w'(q) = -15 ((3 - x)^4 - 6 (2 - x)^4 + 15 (1 - x)^4)
     template <class T>
-    IMBIBE_INLINE static constexpr T derivative(T q) {
+    IMBIBE_INLINE static constexpr T derivative(T q, T scale = T(1)) {
         // The three powers cancel at the centre. For x < 1 their sum is 24 x - 24 x^3 + 10 x^4, which does not; both
         // forms are 10 at x = 1, so with x held at 1 on the far side each, their product is ten times the sum.
         const T inner = min(T(3) * q, T(1));
         const T outer = min(T(3) * positive_part(T(1) - q), T(2));
-        return T(-1.5) * (inner * (T(24) - inner * inner * (T(24) - T(10) * inner))) *
+        return (T(-1.5) * scale) * (inner * (T(24) - inner * inner * (T(24) - T(10) * inner))) *
                (power<4>(outer) - T(6) * power<4>(positive_part(outer - T(1))));
     }
 };

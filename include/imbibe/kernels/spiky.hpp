@@ -31,8 +31,8 @@ struct Spiky {
     }
     /// w'(q) = -3 (1 - q)^2
     template <class T>
-    IMBIBE_INLINE static constexpr T derivative(T q) {
-        return T(-3) * power<2>(positive_part(T(1) - q));
+    IMBIBE_INLINE static constexpr T derivative(T q, T scale = T(1)) {
+        return (T(-3) * scale) * power<2>(positive_part(T(1) - q));
     }
 };
 

@@ -73,8 +73,8 @@ struct ViscosityKernel {
     }
     /// w'' + 2 w'/q = 6 (1 - q), regular at q = 0.
     template <class T>
-    IMBIBE_INLINE static constexpr T laplacian(T q) {
-        return T(6) * positive_part(T(1) - q);
+    IMBIBE_INLINE static constexpr T laplacian(T q, T scale = T(1)) {
+        return (T(6) * scale) * positive_part(T(1) - q);
     }
 };
 
@@ -114,8 +114,8 @@ struct ViscosityKernel2D {
     }
     /// w'' + w'/q = 6 (1 - q), regular at q = 0.
     template <class T>
-    IMBIBE_INLINE static constexpr T laplacian(T q) {
-        return T(6) * positive_part(T(1) - q);
+    IMBIBE_INLINE static constexpr T laplacian(T q, T scale = T(1)) {
+        return (T(6) * scale) * positive_part(T(1) - q);
     }
 };
 

@@ -47,8 +47,8 @@ struct WendlandC2 {
     }
     /// w'(q)/q = -20 (1 - q)^3
     template <class T>
-    IMBIBE_INLINE static constexpr T derivative_over_q(T q) {
-        return T(-20) * power<3>(positive_part(T(1) - q));
+    IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
+        return (T(-20) * scale) * power<3>(positive_part(T(1) - q));
     }
 };
 
@@ -78,8 +78,8 @@ struct WendlandC4 {
     }
     /// w'(q)/q = -56/3 (1 + 5 q) (1 - q)^5
     template <class T>
-    IMBIBE_INLINE static constexpr T derivative_over_q(T q) {
-        return T(-56.0 / 3) * power<5>(positive_part(T(1) - q)) * (T(1) + T(5) * q);
+    IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
+        return (T(-56.0 / 3) * scale) * power<5>(positive_part(T(1) - q)) * (T(1) + T(5) * q);
     }
 };
 
@@ -109,8 +109,8 @@ struct WendlandC6 {
     }
     /// w'(q)/q = -22 (1 + 7 q + 16 q^2) (1 - q)^7
     template <class T>
-    IMBIBE_INLINE static constexpr T derivative_over_q(T q) {
-        return T(-22) * power<7>(positive_part(T(1) - q)) * (T(1) + q * (T(7) + T(16) * q));
+    IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
+        return (T(-22) * scale) * power<7>(positive_part(T(1) - q)) * (T(1) + q * (T(7) + T(16) * q));
     }
 };
 

@@ -53,7 +53,7 @@ struct HourglassControl {
             const double per_mass = parameters.alpha * E / (a.material.density * b.material.density);
             const T least = sq(T(1e-6) * ab.support_radius); // of the particle itself and its own position
             const T stretch = dot(error, now) / max(squared_norm(now), least);
-            return (-per_mass * b[mass] * ab.value(Kernel{}) * sq(ab.inverse_distance()) * stretch) * now;
+            return (-per_mass * b[mass] * ab.value(Kernel{}) * ab.inverse_squared_distance() * stretch) * now;
         }
     };
     using parts = Parts<Displacement, Push>;

@@ -36,10 +36,8 @@ struct Bits {
     constexpr bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
     /// How many are set.
     constexpr int count() const {
-        int n = 0;
-        for (auto w : words)
-            n += std::popcount(w);
-        return n;
+        // Not as a loop: with AVX-512's VPOPCNTDQ, g++ 12 makes it one that counts half of the bits.
+        return std::popcount(words[0]) + std::popcount(words[1]) + std::popcount(words[2]) + std::popcount(words[3]);
     }
     /// The bits of a or b.
     friend constexpr Bits operator|(Bits a, const Bits& b) {

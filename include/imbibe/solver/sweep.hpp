@@ -188,11 +188,26 @@ IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>&
                                              std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
 }
 
-template <int dim, class T, class... F>
+/// What a node gives for a pair: a value for each field it adds to.
+template <class N, class R>
+struct Gives {
+    /// Is what it gives for F along the line of centres?
+    template <class F>
+    static constexpr bool along_centres() {
+        if constexpr (is_tuple<R>)
+            return []<class... V, class... G>(std::type_identity<std::tuple<V...>>, TypeList<G...>) {
+                return ((std::is_same_v<F, G> && is_central<V>) || ...);
+            }(std::type_identity<R>{}, typename N::Adds{});
+        else
+            return std::is_same_v<F, At<0, typename N::Adds>> && is_central<R>;
+    }
+};
+
+template <class... Given, int dim, class T, class... F>
 IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector<T, dim>& offset) {
     using List = TypeList<F...>;
     const auto one = [&]<class G>(std::type_identity<G>) {
-        if constexpr (G::rank == Rank::vector)
+        if constexpr ((Given::template along_centres<G>() || ...))
             for (int k = 0; k < dim; ++k)
                 sums.total[component_offset<dim, G, List> + k] += sums.central[index_of<G, List>] * offset[k];
     };
@@ -207,6 +222,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
                           const SourceData<dim, ListB, Real>& source, const typename S::B& material_b, int i,
                           const PartTuple& parts) {
     using T = Pack<Real, width>;
+    using B [[maybe_unused]] = NeighbourView<typename S::B, ListB, dim, Real, width>;
     using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
     const T outside(static_cast<Real>(1.0001 * source.support * source.support));
     constexpr int place_a = component_offset<dim, Place, ListA>, place_b = component_offset<dim, Place, ListB>;
@@ -231,7 +247,12 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
             for (int d = 0; d < dim; ++d)
                 places[image][d] = here[d] - source.images[static_cast<std::size_t>(image)][d];
 
-    for (const search::Run run : (*source.runs)[i]) {
+    const search::RunList::Range own_runs = (*source.runs)[i];
+    // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before the
+    // loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
+    if constexpr (std::is_same_v<A, typename S::B>)
+        IMBIBE_ASSUME(own_runs.begin() != own_runs.end());
+    for (const search::Run run : own_runs) {
         const Real* const place = places[run.shift];
         for (int d = 0; d < dim; ++d)
             ab.offset[d] = T(place[d]) - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
@@ -242,7 +263,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
         for (T& c : sums.central)
             c = T(0);
         (add_run<N, ListB>(std::get<k>(parts), sums, a, source, material_b, ab, run), ...);
-        multiply_out(sums, ab.offset);
+        multiply_out<Gives<N, decltype(std::get<k>(parts)(a, std::declval<const B&>(), ab))>...>(sums, ab.offset);
     }
 }
 
