@@ -3,6 +3,8 @@
 
 #include "contacts.hpp"
 
+#include <imbibe/accuracy/study.hpp>
+
 #include <ctime>
 #include <limits>
 #include <string>
@@ -22,6 +24,7 @@ struct Outcome {
     double step = 0;                                         ///< mean time step, s
     double seconds = 0;                                      ///< processor time
     double gap = 0;            ///< least distance of a particle of the water to one of the solid, mean spacings
+    double pair_evaluations = 0; ///< the work, see imbibe::accuracy
     std::vector<double> curve; ///< what the scene measures, at equal times
     std::string failure;       ///< why the run broke off, if it did
 };
@@ -57,6 +60,7 @@ Outcome run(Scene& scene, double end, int samples, const Look& look, const Tend&
             }
         }
         outcome.step = end / double(scene.steps());
+        outcome.pair_evaluations = sph::accuracy::pair_evaluations(scene);
     } catch (const sph::Error& error) {
         outcome.failure = error.what();
     }

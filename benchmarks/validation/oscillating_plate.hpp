@@ -9,6 +9,7 @@
 
 #include "solid.hpp"
 
+#include <imbibe/accuracy/study.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/kernels/cubic_spline.hpp>
@@ -52,6 +53,7 @@ inline double first_mode(double x) {
 struct Swings {
     std::vector<double> upward; ///< times at which the tip passes its rest position upwards, s
     std::vector<double> peaks;  ///< greatest deflection of the tip between them, m
+    double pair_evaluations = 0; ///< the work, see imbibe::accuracy
     double period() const { return upward.back() / static_cast<double>(peaks.size()); } ///< the mean one, s
 };
 
@@ -81,6 +83,7 @@ Swings swing(const Plate& material, const Run& run) {
         }
         before = now;
     }
+    seen.pair_evaluations = sph::accuracy::pair_evaluations(scene);
     return seen;
 }
 

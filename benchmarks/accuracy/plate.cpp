@@ -1,0 +1,57 @@
+// A plate that is held at one end and swings: the mean period of five swings, beside finite elements. The scene is that
+// of the reference cases.
+#include "cases.hpp"
+
+#include "../validation/oscillating_plate.hpp"
+
+#include <imbibe/solid/neo_hookean.hpp>
+
+namespace cost {
+namespace {
+
+namespace plate_case = validation::oscillating_plate;
+using validation::ElasticPlate;
+
+struct NeoHookeanPlate : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<>, sph::NeoHookean,
+                                    sph::TotalLagrangianForce<>, sph::HourglassControl<>, sph::Clamped> {};
+struct WithoutControl : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<>, sph::StVenantKirchhoff,
+                                   sph::TotalLagrangianForce<>, sph::Clamped> {};
+
+template <class Plate>
+accuracy::Outcome period_of(const accuracy::Choices& choose, double stiffer = 1) {
+    Plate material = plate_case::rubber<Plate>();
+    material.sound_speed *= std::sqrt(stiffer);
+    material.shear_modulus *= stiffer;
+    const auto seen = plate_case::swing(
+        material,
+        {.across = static_cast<int>(choose.number("across")), .support_ratio = choose.number("support"), .periods = 5});
+    sph::require(seen.peaks.size() == 5, "the plate swung ", seen.peaks.size(), " times where 5 were expected");
+    return {std::abs(seen.period() / 0.2552 - 1), seen.pair_evaluations};
+}
+
+accuracy::Outcome plate_by(const accuracy::Choices& choose) {
+    const std::string& method = choose["method"];
+    if (method == "St. Venant-Kirchhoff")
+        return period_of<ElasticPlate>(choose);
+    if (method == "neo-Hookean")
+        return period_of<NeoHookeanPlate>(choose);
+    if (method == "without hourglass control")
+        return period_of<WithoutControl>(choose);
+    if (method == "modulus for its layers") {
+        const double n = choose.number("across");
+        return period_of<ElasticPlate>(choose, 1 / (1 - 1 / (n * n)));
+    }
+    no_such_method("plate", method);
+}
+
+} // namespace
+
+Rows plate(accuracy::Study study, bool quick) {
+    study.axis("across", quick ? Words{"4", "6"} : Words{"4", "6", "10", "16"});
+    study.axis("method",
+               {"St. Venant-Kirchhoff", "neo-Hookean", "without hourglass control", "modulus for its layers"});
+    study.axis("support", {"1.5", "2", "2.6"});
+    return study.one_at_a_time(plate_by, {"across"});
+}
+
+} // namespace cost

@@ -1,0 +1,76 @@
+// The start of a flow between plates: gap 1 mm, nu = 1e-6 m^2/s, body force 1e-4 m/s^2.
+#include "cases.hpp"
+
+#include "../validation/plates.hpp"
+
+#include <imbibe/imbibe.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace cost {
+namespace {
+
+using validation::plates::Oil, validation::plates::OnPlates, validation::plates::Plates;
+
+/// The series solution of the velocity at height y and time t, m/s.
+double plate_flow(double y, double t) {
+    constexpr double gap = 1e-3, nu = 1e-6, force = 1e-4, pi = std::numbers::pi;
+    double v = force / (2 * nu) * y * (gap - y);
+    for (int n = 0; n < 40; ++n)
+        v -= 4 * force * gap * gap / (nu * std::pow(pi * (2 * n + 1), 3)) * std::sin(pi * y / gap * (2 * n + 1)) *
+             std::exp(-std::pow((2 * n + 1) * pi / gap, 2) * nu * t);
+    return v;
+}
+
+/// The error of the velocity at t = 0.1125 s, root mean square, as a share of the exact one's.
+template <class K, class Real = double, class Integrator = sph::SymplecticEuler>
+accuracy::Outcome plates(const accuracy::Choices& choose) {
+    constexpr double gap = 1e-3, end = 0.1125;
+    const double spacing = gap / choose.number("across"), length = 8 * spacing, H = choose.number("support") * spacing;
+    sph::Solver<2, Real, Integrator, Oil<K>, Plates, OnPlates<K>> scene({.gravity = {1e-4, 0},
+                                                                         .support_radius = H,
+                                                                         .cfl = choose.number("cfl"),
+                                                                         .periodic_length = {length, 0},
+                                                                         .threads = 1});
+    const sph::Box<2> between{{0, 0}, {length, gap}};
+    const auto oil = scene.add(Oil<K>{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1e-3}},
+                               sph::fill(between, spacing), spacing);
+    scene.add(Plates{{.density = 1000}},
+              sph::tank(between, spacing, static_cast<int>(std::ceil(H / spacing)), sph::Sides::x), spacing);
+    scene.run_until(end);
+    double error2 = 0, norm2 = 0;
+    const auto now = scene[oil];
+    for (int i = 0; i < now.size(); ++i) {
+        const double exact = plate_flow(static_cast<double>(now[sph::position](i, 1)), end);
+        error2 += sph::sq(static_cast<double>(now[sph::velocity](i, 0)) - exact);
+        norm2 += sph::sq(exact);
+    }
+    return {std::sqrt(error2 / norm2), accuracy::pair_evaluations(scene)};
+}
+
+accuracy::Outcome plates_by(const accuracy::Choices& choose) {
+    const std::string& method = choose["method"];
+    if (method == "Wendland C2")
+        return plates<sph::WendlandC2>(choose);
+    if (method == "Wendland C4")
+        return plates<sph::WendlandC4>(choose);
+    if (method == "quintic spline")
+        return plates<sph::QuinticSpline>(choose);
+    if (method == "float")
+        return plates<sph::WendlandC2, float>(choose);
+    if (method == "predictor-corrector")
+        return plates<sph::WendlandC2, double, sph::PredictorCorrector>(choose);
+    no_such_method("poiseuille", method);
+}
+
+} // namespace
+
+Rows poiseuille(accuracy::Study study, bool quick) {
+    study.axis("across", quick ? Words{"10", "20"} : Words{"10", "20", "40", "80"});
+    study.axis("method", {"Wendland C2", "Wendland C4", "quintic spline", "float", "predictor-corrector"});
+    study.axis("support", {"2.6", "2", "3.5"}).axis("cfl", {"0.4", "0.2", "0.8"});
+    return study.one_at_a_time(plates_by, {"across"});
+}
+
+} // namespace cost

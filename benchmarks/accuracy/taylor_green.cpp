@@ -1,0 +1,94 @@
+// A square lattice of vortices (Taylor and Green 1937) that decays; L = U = 1, Re = 100. Started from a lattice that is
+// jittered by a fifth of a spacing, twice.
+#include "cases.hpp"
+
+#include <imbibe/imbibe.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace cost {
+namespace {
+
+template <class K>
+struct Plain : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
+                          sph::MorrisViscosity<K>> {};
+template <class K>
+struct Shifted : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>,
+                            sph::VolumePressure<K>, sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
+template <class K>
+struct Antuono
+    : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::CurrentCorrection<K>, sph::AntuonoDiffusion<K>,
+                 sph::VolumePressure<K>, sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
+template <class K>
+struct Riemann : sph::Fluid<sph::LinearState, sph::RiemannContinuity<K>, sph::RiemannPressure<K>,
+                            sph::ClearyViscosity<K>, sph::ParticleShifting<K>> {};
+
+/// The error of the velocity at t = 1, root mean square, as a share of the exact one's.
+template <class Water, class Real = double, class Integrator = sph::SymplecticEuler>
+accuracy::Outcome vortices(const accuracy::Choices& choose) {
+    const double spacing = 1 / choose.number("across"), k = 2 * std::numbers::pi, nu = 0.01, end = 1;
+    sph::Solver<2, Real, Integrator, Water> scene({.support_radius = choose.number("support") * spacing,
+                                                   .cfl = choose.number("cfl"),
+                                                   .periodic_length = {1, 1},
+                                                   .threads = 1});
+    const auto start = sph::jitter<2>(sph::fill(sph::Box<2>{{0, 0}, {1, 1}}, spacing), 0.2 * spacing,
+                                      static_cast<unsigned>(choose.repetition + 1));
+    const auto water = scene.add(Water{{.density = 1, .sound_speed = 10, .viscosity = nu}}, start, spacing);
+    const auto exact = [&](double x, double y, double time) {
+        const double decay = std::exp(-2 * nu * k * k * time);
+        return Eigen::RowVector2d(-std::cos(k * x) * std::sin(k * y) * decay,
+                                  std::sin(k * x) * std::cos(k * y) * decay);
+    };
+    auto view = scene[water];
+    for (int i = 0; i < view.size(); ++i) {
+        const double x = view[sph::position](i, 0), y = view[sph::position](i, 1);
+        view[sph::velocity].row(i) = exact(x, y, 0).template cast<Real>();
+        view[sph::density](i) -= static_cast<Real>(0.25 * (std::cos(2 * k * x) + std::cos(2 * k * y)) / 100);
+    }
+    scene.run_until(end);
+    double error2 = 0, norm2 = 0;
+    const auto now = scene[water];
+    for (int i = 0; i < now.size(); ++i) {
+        const auto v = exact(now[sph::position](i, 0), now[sph::position](i, 1), end);
+        error2 += (now[sph::velocity].row(i).template cast<double>() - v).squaredNorm();
+        norm2 += v.squaredNorm();
+    }
+    return {std::sqrt(error2 / norm2), accuracy::pair_evaluations(scene)};
+}
+
+accuracy::Outcome vortices_by(const accuracy::Choices& choose) {
+    using C2 = sph::WendlandC2;
+    const std::string& method = choose["method"];
+    if (method == "delta-SPH, shifted")
+        return vortices<Shifted<C2>>(choose);
+    if (method == "without shifting")
+        return vortices<Plain<C2>>(choose);
+    if (method == "Antuono's diffusion")
+        return vortices<Antuono<C2>>(choose);
+    if (method == "Riemann")
+        return vortices<Riemann<C2>>(choose);
+    if (method == "Wendland C4")
+        return vortices<Shifted<sph::WendlandC4>>(choose);
+    if (method == "quintic spline")
+        return vortices<Shifted<sph::QuinticSpline>>(choose);
+    if (method == "float")
+        return vortices<Shifted<C2>, float>(choose);
+    if (method == "position Verlet")
+        return vortices<Shifted<C2>, double, sph::PositionVerlet>(choose);
+    if (method == "predictor-corrector")
+        return vortices<Shifted<C2>, double, sph::PredictorCorrector>(choose);
+    no_such_method("taylor-green", method);
+}
+
+} // namespace
+
+Rows taylor_green(accuracy::Study study, bool quick) {
+    study.axis("across", quick ? Words{"25", "50"} : Words{"25", "50", "100"});
+    study.axis("method", {"delta-SPH, shifted", "without shifting", "Antuono's diffusion", "Riemann", "Wendland C4",
+                          "quintic spline", "float", "position Verlet", "predictor-corrector"});
+    study.axis("support", {"3", "2.6", "4"}).axis("cfl", {"0.4", "0.2", "0.8"}).repeat(2);
+    return study.one_at_a_time(vortices_by, {"across"});
+}
+
+} // namespace cost
