@@ -6,10 +6,13 @@
 //   build/sponge                                   the paper's case, in the composition that converges
 //   build/sponge --composition paper               the same with the method of the paper, mended
 //   build/sponge --pore-radius 2 --end 0.25        wider pores, shorter (lengths in mm)
+//   build/sponge --accuracy draft                  coarser water (docs/accuracy.md); also: standard, reference
 //   build/sponge --quick                           one row of pores, a true picture in about a minute
 //   build/sponge --restart                         after Ctrl-C, a crash or a power cut: go on from the last checkpoint
 #include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
+
+#include <imbibe/presets/sponge_accuracy.hpp>
 
 namespace sph = imbibe;
 
@@ -17,19 +20,23 @@ int main(int argc, char** argv) {
     sph::example::sleep_while_waiting(argv);
     sph::presets::SpongeCase numbers;
     sph::example::SpongeOutput output;
-    std::string composition = "sound", precision = "float", folder = output.folder.string();
+    std::string composition = "sound", precision = "float", accuracy, folder = output.folder.string();
     double end = 0.5, snapshots = 10;
     bool quick = false;
 
     CLI::App app{"Water falls onto an elastic sponge and drains through its pores."};
     sph::example::add_method_options(app, composition, precision);
     sph::example::add_case_options(app, numbers);
+    app.add_option("--accuracy", accuracy, "draft, standard or reference, sound composition: how fine the water is (docs/accuracy.md)")
+        ->check(CLI::IsMember({"draft", "standard", "reference"}))
+        ->excludes("--water-spacing")
+        ->excludes("--support-ratio");
     app.add_option("--end", end, "end time, s")->capture_default_str();
     app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
-    app.add_option("--checkpoints", output.checkpoint_interval, "wall time between checkpoints, s")
+    app.add_option("--checkpoints", output.checkpoint_interval, "wall time between checkpoints, s; 0: one after every step")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--restart", output.restart,
@@ -52,6 +59,12 @@ int main(int argc, char** argv) {
     output.snapshot_interval = snapshots * 1e-3;
     try {
         sph::example::refuse_options_of_the_other(app, composition);
+        if (app.count("--accuracy") > 0) {
+            const auto& chosen = sph::presets::set_accuracy(numbers, accuracy);
+            std::printf("Accuracy: %s, water %.3g mm apart; the sponge's mean displacement differs by about %.0f %% from "
+                        "that of the finest run (docs/accuracy.md)\n\n",
+                        accuracy.c_str(), 1e3 * numbers.water_spacing, 100 * chosen.difference);
+        }
         const auto result = sph::example::run_sponge(composition, precision, numbers, end, output);
         sph::example::print_summary(numbers, result, output);
         return result.failure.empty() && result.conserved ? 0 : 1;

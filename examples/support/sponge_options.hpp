@@ -67,6 +67,7 @@ inline void refuse_options_of_the_other(const CLI::App& app, const std::string& 
                                              {"--artificial-stress", true},
                                              {"--stiffness", true},
                                              {"--support-ratio", false},
+                                             {"--accuracy", false},
                                              {"--young-modulus", false},
                                              {"--cfl", false}}) {
         const CLI::Option* option = app.get_option_no_throw(name);

@@ -81,6 +81,8 @@ with tempfile.TemporaryDirectory() as name:
     check_refused(root, ["--nonsense"], "--nonsense")
     check_refused(root, ["--support", "paper"], "--support", 1.3)
     check_refused(root, ["--young-modulus", "sound"], "--composition", "paper", "--young-modulus", 1e5)
+    check_refused(root, ["--accuracy", "sound"], "--composition", "paper", "--accuracy", "draft")
+    check_refused(root, ["--accuracy", "--water-spacing"], "--accuracy", "draft", "--water-spacing", 1)
     check_refused(root, ["pore radius", "0.004 m", "3.5e-3"], "--pore-radius", 4)
     (root / "file").write_text("in the way")
     os.environ["LC_ALL"] = "C"

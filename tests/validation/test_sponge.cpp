@@ -8,6 +8,7 @@
 #include "sponge_strip.hpp"
 
 #include <catch_shim.hpp>
+#include <imbibe/presets/sponge_accuracy.hpp>
 #include <scene_bits.hpp>
 
 namespace validate_sponge {
@@ -119,6 +120,29 @@ TEST_CASE("The sponge on a strip, the paper's composition, through the impact", 
     CHECK(seen.densest < 1100);
     CHECK(seen.peak > 0.1e-3); // it is pressed down,
     CHECK(seen.peak < 0.6e-3); // and not through
+}
+
+TEST_CASE("How fine the sponge's water is follows from a word", "[sponge]") {
+    std::size_t before = 0;
+    for (const auto& known : sph::presets::sponge_accuracies) {
+        SpongeCase full;
+        CHECK(sph::presets::set_accuracy(full, known.name).difference == known.difference);
+        CHECK(full.water_spacing == known.water_spacing);
+        CHECK(full.support_ratio == known.support_ratio);
+        const auto water = full.water();
+        CHECK(water.size() > before);
+        before = water.size();
+        // as much water as in the paper, to half a layer of particles on each side
+        const double volume = static_cast<double>(water.size()) * std::pow(known.water_spacing, 3);
+        CHECK(volume == Approx(31 * 31 * 71 * std::pow(0.8e-3, 3)).epsilon(0.05));
+        SpongeCase strip{.strip = true};
+        set_accuracy(strip, known.name);
+        CHECK_NOTHROW(strip.check()); // its spacing divides the period
+        CHECK(strip.water_spacing == Approx(known.water_spacing).epsilon(0.1));
+    }
+    SpongeCase c;
+    CHECK(SpongeCase{}.water().size() == 68231); // the paper's
+    CHECK_THROWS_WITH(sph::presets::set_accuracy(c, "best"), imbibe_test::contains("draft, standard and reference"));
 }
 
 TEMPLATE_TEST_CASE("The sponge is the same to the bit with 1, 2 and 4 threads", "[sponge]", SoundSponge, PaperSponge) {

@@ -94,9 +94,9 @@ struct SpongeCase {
             const Box<3> box{{wall_gap, across, low}, {length() - wall_gap, width() - across, low + water_height()}};
             return fill(box, water_spacing);
         }
-        const double side = 31 * water_spacing, x = length() / 2, y = width() / 2,
+        const auto whole = [&](double extent) { return std::round(extent / water_spacing) * water_spacing; };
+        const double side = whole(31 * 0.8e-3), height = whole(block_height()), x = length() / 2, y = width() / 2,
                      z = water_bottom() - water_spacing / 2;
-        const double height = std::round(block_height() / water_spacing) * water_spacing;
         return fill(Box<3>{{x - side / 2, y - side / 2, z}, {x + side / 2, y + side / 2, z + height}}, water_spacing);
     }
     /// Where the particles of the sponge are, m.

@@ -1,0 +1,37 @@
+// How fine the sponge's scene is to be, by a word: the spacing and the support of its water, and what comes of it.
+#pragma once
+
+#include <imbibe/presets/sponge_case.hpp>
+
+#include <array>
+#include <string_view>
+
+namespace imbibe::presets {
+
+/// A choice from the front of docs/accuracy.md: nothing else there was both faster and more accurate.
+struct SpongeAccuracy {
+    std::string_view name;
+    double water_spacing; ///< m
+    double support_ratio; ///< H of the water in spacings
+    double difference;    ///< of the sponge's mean displacement until 0.15 s from that of the finest run, as a share
+};
+
+/// `SoundSponge`, coarse to fine; `standard` has the paper's spacing. A support of 2 spacings, because the difference is
+/// nearly a function of H alone.
+inline constexpr std::array<SpongeAccuracy, 3> sponge_accuracies{
+    {{"draft", 1.0e-3, 2, 0.15}, {"standard", 0.8e-3, 2, 0.12}, {"reference", 0.6e-3, 2, 0.05}}};
+
+/// Makes a case as fine as the word says, and returns what that is. On a strip, which is periodic, the spacing is the
+/// nearest that divides the period. Throws Error for a word that is none of sponge_accuracies.
+inline const SpongeAccuracy& set_accuracy(SpongeCase& c, std::string_view name) {
+    for (const SpongeAccuracy& known : sponge_accuracies)
+        if (known.name == name) {
+            const double rows = c.width() / known.water_spacing;
+            c.water_spacing = c.strip ? c.width() / std::round(rows) : known.water_spacing;
+            c.support_ratio = known.support_ratio;
+            return known;
+        }
+    throw Error(text("there is no accuracy '", name, "'; there are draft, standard and reference"));
+}
+
+} // namespace imbibe::presets
