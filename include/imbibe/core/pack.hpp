@@ -304,7 +304,11 @@ IMBIBE_INLINE constexpr Pack<Real, width> extreme(Pack<Real, width> a, Pack<Real
         return made(greater ? _mm_max_pd(x, y) : _mm_min_pd(x, y));
     } else
 #endif
-        return select(greater ? a > b : a < b, a, b);
+        // Not one expression with ?:, of which g++ reports the half that is not taken once something else is wrong.
+        if constexpr (greater)
+            return select(a > b, a, b);
+        else
+            return select(a < b, a, b);
 }
 
 } // namespace detail
