@@ -92,10 +92,10 @@ class Report:
         """What was asked of the core beforehand, beside what these results say of it."""
         rows = []
 
-        def bar(what, asked, value, unit="", digits=2, at_most=True):
+        def bar(what, asked, value, digits=2, at_most=True):
             if value is not None:
                 met = value <= asked if at_most else value >= asked
-                rows.append([what, f"{'at most' if at_most else 'at least'} {asked:g}{unit}", f"{value:.{digits}f}{unit}",
+                rows.append([what, f"{'at most' if at_most else 'at least'} {asked:g}", f"{value:.{digits}f}",
                              "yes" if met else "**no**"])
 
         def value(program, name, counter="particle", scale=1e9):
@@ -329,8 +329,8 @@ class Report:
         axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5))
 
     def write(self):
-        for part in (self.head, self.bars, self.peaks, self.steps, self.sweeps, self.search, self.terms, self.kernels, self.widths,
-                     self.counts):
+        for part in (self.head, self.bars, self.peaks, self.steps, self.sweeps, self.search, self.terms, self.kernels,
+                     self.widths, self.counts):
             part()
         os.makedirs(os.path.dirname(os.path.abspath(self.output)), exist_ok=True)
         with open(self.output, "w") as file:

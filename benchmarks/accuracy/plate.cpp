@@ -4,6 +4,7 @@
 
 #include "../validation/oscillating_plate.hpp"
 
+#include <imbibe/solid/bending_modulus.hpp>
 #include <imbibe/solid/neo_hookean.hpp>
 
 namespace cost {
@@ -18,10 +19,8 @@ struct WithoutControl : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationG
                                    sph::TotalLagrangianForce<>, sph::Clamped> {};
 
 template <class Plate>
-accuracy::Outcome period_of(const accuracy::Choices& choose, double stiffer = 1) {
-    Plate material = plate_case::rubber<Plate>();
-    material.sound_speed *= std::sqrt(stiffer);
-    material.shear_modulus *= stiffer;
+accuracy::Outcome period_of(const accuracy::Choices& choose, double young_modulus = plate_case::young_modulus) {
+    const auto material = plate_case::rubber<Plate>(young_modulus);
     const auto seen = plate_case::swing(
         material,
         {.across = static_cast<int>(choose.number("across")), .support_ratio = choose.number("support"), .periods = 5});
@@ -38,8 +37,8 @@ accuracy::Outcome plate_by(const accuracy::Choices& choose) {
     if (method == "without hourglass control")
         return period_of<WithoutControl>(choose);
     if (method == "modulus for its layers") {
-        const double n = choose.number("across");
-        return period_of<ElasticPlate>(choose, 1 / (1 - 1 / (n * n)));
+        const int across = static_cast<int>(choose.number("across"));
+        return period_of<ElasticPlate>(choose, sph::bending_modulus(plate_case::young_modulus, across));
     }
     no_such_method("plate", method);
 }

@@ -15,32 +15,31 @@ accuracy::Outcome sag_of(const accuracy::Choices& choose) {
     return {std::abs(run.value - 1), run.pair_evaluations};
 }
 
-accuracy::Outcome soft_plate_by(const accuracy::Choices& choose) {
-    const std::string& method = choose["coupling"];
-    if (method == couplings::Extrapolated::name)
-        return sag_of<couplings::Extrapolated>(choose);
-    if (method == couplings::Riemann::name)
-        return sag_of<couplings::Riemann>(choose);
-    if (method == couplings::AlongNormals::name)
-        return sag_of<couplings::AlongNormals>(choose);
-    if (method == couplings::ModifiedRepulsion::name)
-        return sag_of<couplings::ModifiedRepulsion>(choose);
-    if (method == couplings::StiffRepulsion::name)
-        return sag_of<couplings::StiffRepulsion>(choose);
-    if (method == couplings::ScaledRepulsion::name)
-        return sag_of<couplings::ScaledRepulsion>(choose);
-    no_such_method("soft-plate", method);
+/// The sag with the coupling of these that has the name on the axis.
+template <class... Kit>
+accuracy::Outcome sag_by_name(sph::TypeList<Kit...>, const accuracy::Choices& choose) {
+    const std::string& name = choose["coupling"];
+    accuracy::Outcome outcome{};
+    if (!((name == Kit::name && (outcome = sag_of<Kit>(choose), true)) || ...))
+        no_such_method("soft-plate", name);
+    return outcome;
 }
+template <class... Kit>
+Words names_of(sph::TypeList<Kit...>) {
+    return {Kit::name...};
+}
+
+using Couplings = sph::TypeList<couplings::Extrapolated, couplings::Riemann, couplings::AlongNormals,
+                                couplings::ModifiedRepulsion, couplings::StiffRepulsion, couplings::ScaledRepulsion>;
 
 } // namespace
 
 Rows soft_plate(accuracy::Study study, bool quick) {
-    using namespace couplings;
     study.axis("spacing", quick ? Words{"0.025", "0.02"} : Words{"0.025", "0.02", "0.0125"});
-    study.axis("coupling", {Extrapolated::name, Riemann::name, AlongNormals::name, ModifiedRepulsion::name,
-                            StiffRepulsion::name, ScaledRepulsion::name});
+    study.axis("coupling", names_of(Couplings{}));
     study.axis("support", {"2.6", "2", "3"});
-    return study.one_at_a_time(soft_plate_by, {"spacing"});
+    return study.one_at_a_time([](const accuracy::Choices& choose) { return sag_by_name(Couplings{}, choose); },
+                               {"spacing"});
 }
 
 } // namespace cost

@@ -23,10 +23,10 @@ struct Outcome {
     double value = std::numeric_limits<double>::quiet_NaN(); ///< what the scene measures; see there
     double step = 0;                                         ///< mean time step, s
     double seconds = 0;                                      ///< processor time
-    double gap = 0;            ///< least distance of a particle of the water to one of the solid, mean spacings
+    double gap = 0;              ///< least distance of a particle of the water to one of the solid, mean spacings
     double pair_evaluations = 0; ///< the work, see imbibe::accuracy
-    std::vector<double> curve; ///< what the scene measures, at equal times
-    std::string failure;       ///< why the run broke off, if it did
+    std::vector<double> curve;   ///< what the scene measures, at equal times
+    std::string failure;         ///< why the run broke off, if it did
 };
 
 /// Runs a scene to `end`, s, and calls `look(scene)` for the curve at `samples` equal times; between steps `tend(scene,

@@ -66,9 +66,9 @@ Flow flow(int across, double fraction, double degrees = 0, double support = 3) {
     const double spacing = 1.0 / across, H = support * spacing, force = 0.1, angle = degrees * std::numbers::pi / 180;
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
     Scene<K, Real> scene({.gravity = {force * along[0], force * along[1]},
-                 .support_radius = H,
-                 .periodic_length = {1, 1},
-                 .threads = 1});
+                          .support_radius = H,
+                          .periodic_length = {1, 1},
+                          .threads = 1});
     const Cell points = cell(across, fraction);
     Liquid<K> liquid{{.density = 1, .sound_speed = 100, .viscosity = 1}};
     liquid.set(sph::DensityDiffusionParameters{.hydrostatic = false}); // the pressure is periodic

@@ -21,7 +21,8 @@
 
 namespace validation::oscillating_plate {
 
-constexpr double length = 0.2;
+constexpr double length = 0.2;        // m
+constexpr double young_modulus = 2e6; // Pa
 
 /// The solid of the paper's kind: rates of stress, from the present neighbours, with artificial viscosity and stress.
 /// `alpha` in terms of the support radius.
@@ -51,8 +52,8 @@ inline double first_mode(double x) {
 
 /// What a run shows.
 struct Swings {
-    std::vector<double> upward; ///< times at which the tip passes its rest position upwards, s
-    std::vector<double> peaks;  ///< greatest deflection of the tip between them, m
+    std::vector<double> upward;  ///< times at which the tip passes its rest position upwards, s
+    std::vector<double> peaks;   ///< greatest deflection of the tip between them, m
     double pair_evaluations = 0; ///< the work, see imbibe::accuracy
     double period() const { return upward.back() / static_cast<double>(peaks.size()); } ///< the mean one, s
 };
@@ -89,8 +90,8 @@ Swings swing(const Plate& material, const Run& run) {
 
 /// The rubber of the plate.
 template <class Plate>
-Plate rubber() {
-    return elastic<Plate>(2e6, 0.3975, 1000);
+Plate rubber(double young = young_modulus) {
+    return elastic<Plate>(young, 0.3975, 1000);
 }
 
 inline std::vector<Measured> measure(int across) {
