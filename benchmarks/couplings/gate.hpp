@@ -18,7 +18,9 @@ Outcome run_with(const Numerics& numerics) {
     const double gap = Kit::first_gap(load, layers);
     const auto pool = scene.add(water(10 * std::sqrt(2 * gravity * depth)),
                                 sph::fill(sph::Box<2>{{0, 0}, {width - gap, depth}}, dx), dx);
-    const auto gate = scene.add(elastic<Kit>(1.2e7, 0.4, 1100, 2.6 * dx),
+    // Its support is never wider than the water's: that between the two is the wider one, and what is varied.
+    const double young = sph::bending_modulus(1.2e7, static_cast<int>(std::lround(thickness / dx)));
+    const auto gate = scene.add(elastic<Kit>(young, 0.4, 1100, 2 * dx),
                                 sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, dx / 2 + height}}, dx), dx);
     scene.hold(gate, [&](const auto& x) { return x[1] > height - 3 * dx; });
     auto walls = sph::tank(sph::Box<2>{{0, 0}, {4 * width, 0.2}}, dx, 3, sph::Sides::y_high);

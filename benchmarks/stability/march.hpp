@@ -108,6 +108,8 @@ inline const char* name_of(sph::Cause cause) {
         return "density";
     case sph::Cause::left_domain:
         return "left the domain";
+    case sph::Cause::inside_wall:
+        return "inside a wall";
     case sph::Cause::energy:
         return "energy from nowhere";
     }

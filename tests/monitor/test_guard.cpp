@@ -132,6 +132,27 @@ TEST_CASE("A guard names the particle that is wrong", "[guard]") {
     }
 }
 
+TEST_CASE("A guard notices a particle that is on its way through a wall, and none that stands in a corner", "[guard]") {
+    // Walls of three layers fill the square outside [0, 1]^2; a drop is put somewhere, and the scene takes one short step.
+    const auto drop_at = [](double x, double y) {
+        Pool scene({.support_radius = 2.6 * dx});
+        scene.add(Water{{.density = 1000, .sound_speed = 40}}, {{x, y}}, dx);
+        scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {1, 1}), dx, 3), dx);
+        sph::Guard<2> guard;
+        scene.step(1e-9);
+        guard.look(scene);
+    };
+    CHECK_NOTHROW(drop_at(0.5, dx / 2));       // at a wall, as a layer of water
+    CHECK_NOTHROW(drop_at(0.5, -0.1 * dx));    // pressed a little behind its face
+    CHECK_NOTHROW(drop_at(0.25 * dx, 0.25 * dx)); // pressed into a corner
+    for (const double depth : {1.0, 1.3, 1.6, 2.0}) {
+        const auto error = thrown_by([&] { drop_at(0.5, -depth * dx); });
+        CHECK(error.cause == sph::Cause::inside_wall);
+        CHECK_THAT(error.what(), contains("Water") && contains("Tank") && contains("inside"));
+        CHECK(error.position[1] == Approx(-depth * dx).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("A guard notices energy without work, and not what falls or leaves", "[guard]") {
     const std::vector<sph::Point<2>> row{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
     sph::Solver<2, double, sph::SymplecticEuler, Leaf> leaves({.support_radius = 0.1, .time_step = 0.01});

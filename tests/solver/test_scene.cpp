@@ -1,4 +1,5 @@
 // What a scene does with few particles, with fields and terms of the user's own, and with bad input.
+#include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
@@ -61,6 +62,11 @@ struct Conduction {
 };
 struct Bar : sph::Fluid<Conduction> {};
 using BarScene = sph::Solver<2, double, sph::SymplecticEuler, Bar>;
+
+// Drops on stones that do not move.
+struct Shore : sph::Wall<> {};
+struct Landfall : sph::Coupling<Drop, Shore, sph::KernelRepulsion<>> {};
+using ShoreScene = sph::Solver<3, double, sph::SymplecticEuler, Drop, Shore, Landfall>;
 
 // Particles that only fly.
 struct Stone : sph::Fluid<> {};
@@ -392,6 +398,24 @@ TEST_CASE("Points outside the periodic box come into it", "[scene]") {
     CHECK(scene[handle][sph::position](0, 0) == -0.25);
     CHECK(scene[handle][sph::position](1, 0) == 0.25);
     CHECK(scene[handle][sph::position](0, 1) == 7);
+}
+
+TEST_CASE("Phases that overlap are refused, and those that start close are warned of", "[scene]") {
+    const auto start = [](double gap) {
+        ShoreScene scene({.support_radius = 0.25, .origin = {10, 0, 0}});
+        scene.add(drop, {{10, 2, 3}, {10.5, 2, 3}}, 0.1);
+        scene.add(Shore{{.density = 1000}}, {{10.5, 2 + gap, 3}}, 0.1);
+        scene.prepare();
+        return scene;
+    };
+    for (const double gap : {0.0, 0.9e-4})
+        CHECK_THROWS_WITH(start(gap), imbibe_test::contains("Drop and Shore overlap") &&
+                                          imbibe_test::contains("(10.5, 2, 3) m") && imbibe_test::contains("remove_if"));
+    const auto close = start(0.029);
+    REQUIRE(close.warnings().size() == 1); // the same pair, seen from either phase
+    CHECK_THAT(close.warnings()[0], imbibe_test::contains("Drop and Shore start close") &&
+                                        imbibe_test::contains("0.29 of their mean spacing"));
+    CHECK(start(0.031).warnings().empty());
 }
 
 TEST_CASE("A run that goes wrong says where", "[scene]") {

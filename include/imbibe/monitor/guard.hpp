@@ -16,6 +16,7 @@ enum class Cause {
     too_fast,      ///< a particle is faster than sound
     wrong_density, ///< a density is out of bounds
     left_domain,   ///< a particle is outside the domain
+    inside_wall,   ///< a particle is among those of a wall, on its way through
     energy         ///< energy has come from nowhere
 };
 
@@ -47,6 +48,10 @@ struct GuardSettings {
     std::array<double, static_cast<std::size_t>(dim)> lower = filled(-std::numeric_limits<double>::infinity()),
                                                       /// The upper corner of the domain, m.
         upper = filled(std::numeric_limits<double>::infinity());
+    /// How much of a particle's surroundings particles of a wall may fill (0: none; 1: all), over the support radius: at
+    /// a wall's face it is a half, in a corner of three walls seven eighths. Looked at where that support is at least 1.5
+    /// spacings of the wall. A wall thinner than the support never fills so much: there the domain has to notice.
+    double inside_wall = 0.92;
     /// How much kinetic and potential energy may appear, as a share of what the scene turns over (its kinetic energy,
     /// or the potential energy that has been released, whichever is more), and beside what rounding of positions may
     /// have put in. Infinite: not looked at, as for scenes that
@@ -62,6 +67,7 @@ struct GuardSettings {
         for (std::size_t d = 0; d < dim; ++d)
             require(lower[d] < upper[d], "Guard: the domain ends at ", upper[d], " m where it begins at ", lower[d],
                     " m");
+        require(inside_wall > 0, "Guard: inside_wall = ", inside_wall, " (a share); it must be above 0, usually 0.92");
         require(energy > 0, "Guard: energy = ", energy, " (a share); it must be above 0");
     }
 
@@ -97,6 +103,7 @@ public:
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
             look_at(scene, scene[PhaseHandle<P>{}], detail::type_name<P>());
         });
+        scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
         look_at_energy(scene);
         glance(scene);
     }
@@ -177,6 +184,31 @@ private:
             if (!field.row(i).allFinite())
                 return static_cast<int>(i);
         return 0;
+    }
+
+    // Is a particle that moves among those of a wall? The lists of neighbours are those of the last search.
+    template <class Scene, class Link>
+    void look_for_walls(const Scene& scene, const Link& link) const {
+        using A = typename Link::A;
+        using B = typename Link::B;
+        if constexpr (A::moves && !B::moves && !Link::reference) {
+            const auto& mover = scene.engine().template state<A>();
+            const auto& wall = scene.engine().template state<B>();
+            const double spacing = wall.material.spacing;
+            if (mover.disturbed || wall.disturbed || link.runs.is_empty() || link.support < 1.5 * spacing)
+                return;
+            const auto pairs = scene.engine().pairs_of(link);
+            for (int i = 0; i < mover.size(); ++i) {
+                if (pairs.is_alone(i))
+                    continue;
+                const double filled = pairs.filled_around(i, link.support, spacing);
+                if (filled > settings_.inside_wall)
+                    stop(scene, Cause::inside_wall, detail::type_name<A>(), scene[PhaseHandle<A>{}], i,
+                         text("is inside ", detail::type_name<B>(), ", whose particles fill ", filled,
+                              " of its surroundings: a KernelRepulsion over 0.8 spacings keeps them apart, a higher sound "
+                              "speed lets less water in"));
+            }
+        }
     }
 
     // Internal forces turn kinetic and potential energy into heat or tension and back, but cannot raise their sum above

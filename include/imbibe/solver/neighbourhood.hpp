@@ -2,6 +2,7 @@
 // the stress-free configuration once.
 #pragma once
 
+#include <imbibe/solver/pair_distances.hpp>
 #include <imbibe/solver/scene_state.hpp>
 
 #include <cmath>
@@ -158,28 +159,33 @@ public:
                                                          reach_of(this->template support<A, B>()), this->periodic);
     }
 
+    /// The pairs of a link; as they are now, if no particle was added or removed since the last search.
+    template <class L>
+    PairDistances<dim, Real, Base::width> pairs_of(const L& link) const {
+        const auto& a = this->template state<typename L::A>();
+        const auto& b = this->template state<typename L::B>();
+        if constexpr (L::reference)
+            return {link.runs, a.points_of(reference_position), b.points_of(reference_position), this->periodic};
+        else
+            return {link.runs, a.points(), seen_points(b), this->periodic};
+    }
+    /// Calls f(link) with the link of a coupling, if it has one. The link the other way round, which it may have as
+    /// well, has the same pairs.
+    template <class C, class F>
+    void with_link_of(const F& f) const {
+        bool done = false;
+        this->for_each_link([&]<class L>(const L& link) {
+            if constexpr (is_link_of<L, C>) {
+                if (!done)
+                    f(link);
+                done = true;
+            }
+        });
+    }
     /// The mean number of neighbours within the support, the particle itself not counted, over a sample of particles.
     template <class L>
     double mean_neighbours(const L& link) const {
-        const auto& a = this->template state<typename L::A>();
-        const auto& b = this->template state<typename L::B>();
-        if (a.size() == 0 || link.runs.is_empty())
-            return 0;
-        using Place = std::conditional_t<L::reference, ReferencePosition, Position>;
-        const auto targets = a.points_of(Place{});
-        const auto sources = L::reference ? b.points_of(Place{}) : seen_points(b);
-        const int stride = std::max(1, a.size() / 1000);
-        long long found = 0, sampled = 0;
-        for (int i = 0; i < a.size(); i += stride, ++sampled)
-            for (const search::Run run : link.runs[i])
-                for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
-                    double distance2 = 0;
-                    for (int d = 0; d < dim; ++d)
-                        distance2 += sq(static_cast<double>(place_for(run, targets, i, d)) -
-                                        static_cast<double>(sources.x[static_cast<std::size_t>(d)][j]));
-                    found += distance2 > 0 && distance2 < link.support * link.support;
-                }
-        return static_cast<double>(found) / static_cast<double>(sampled);
+        return pairs_of(link).mean_number(link.support);
     }
 
 protected:
@@ -228,54 +234,17 @@ private:
     template <class C>
     void measure_nearest_of() {
         if constexpr (wants_nearest<C>(typename C::terms{})) {
-            bool done = false; // the link the other way round has the same pairs
+            double nearest = std::numeric_limits<double>::infinity();
+            with_link_of<C>([&](const auto& link) {
+                if (!link.runs.is_empty())
+                    nearest = pairs_of(link).nearest(this->threads);
+            });
             this->for_each_link([&]<class L>(L& link) {
-                if constexpr (is_link_of<L, C>) {
-                    link.nearest = std::numeric_limits<double>::infinity();
-                    if (!done && !link.runs.is_empty())
-                        link.nearest = nearest_in(link);
-                    done = true;
-                }
+                if constexpr (is_link_of<L, C>)
+                    link.nearest = nearest;
             });
         }
     }
-    template <class L>
-    double nearest_in(const L& link) const {
-        const auto& a = this->template state<typename L::A>();
-        const auto targets = a.points();
-        const auto sources = seen_points(this->template state<typename L::B>());
-        const auto least = [](double one, double other) { return std::min(one, other); };
-        return std::sqrt(parallel_reduce(
-            a.size(), this->threads, std::numeric_limits<double>::infinity(),
-            [&](int begin, int end) {
-                using T = Pack<Real, Base::width>;
-                T least2(std::numeric_limits<Real>::infinity());
-                for (int i = begin; i < end; ++i)
-                    for (const search::Run run : link.runs[i]) {
-                        T distance2(0);
-                        for (int d = 0; d < dim; ++d)
-                            distance2 += sq(T(place_for(run, targets, i, d)) -
-                                            T::load(sources.x[static_cast<std::size_t>(d)] + run.first));
-                        least2 = min(least2, select_first(run.count, distance2, least2));
-                    }
-                double nearest2 = std::numeric_limits<double>::infinity();
-                for (int k = 0; k < T::size; ++k)
-                    nearest2 = std::min(nearest2, static_cast<double>(least2[k]));
-                return nearest2;
-            },
-            least));
-    }
-    // Coordinate d of target i as it is seen from the image of the domain that a run of its neighbours is in.
-    IMBIBE_INLINE Real place_for(const search::Run& run, const search::Points<dim, Real>& targets, int i, int d) const {
-        const auto k = static_cast<std::size_t>(d);
-        const Real length = static_cast<Real>(this->periodic.length[k]), here = targets.x[k][i];
-        if (length == 0)
-            return here;
-        // a total-Lagrangian phase is not wrapped
-        return search::into_period(here, static_cast<Real>(this->periodic.lower[k]), length) -
-               static_cast<Real>(search::image_step(run.shift, d)) * length;
-    }
-
     search::Grid<dim> grid;
     int steps_since_search = 0;
     double farthest_allowed = 0; ///< m

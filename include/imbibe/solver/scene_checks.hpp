@@ -1,5 +1,5 @@
-// What is looked at before a scene runs: do the terms agree with their coefficients and materials, and is a phase's
-// support radius wide enough?
+// What is looked at before a scene runs: do the terms agree with their coefficients and materials, is a phase's support
+// radius wide enough, and are the phases where they can push on each other?
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -39,6 +39,39 @@ std::string warning_of_few_neighbours(double ratio, const std::string& name) {
                 neighbours += x * x + y * y + z * z < ratio * ratio * (1 - 1e-9);
     return text(name, ": the support radius is ", ratio, " spacings, so a particle has only ", neighbours,
                 " neighbours and gradients come out too small; 2 to 3 spacings are usual");
+}
+
+/// A sentence if particles of two phases that see each other start nearer than 0.3 of their mean spacing, or an empty
+/// one.
+///
+/// Throws Error where two are nearer than a thousandth of it: no force along their line of centres can part them.
+/// @param link the phases' link, @param engine the scene it belongs to, @param origin of its coordinates, m
+template <class Link, class Engine, class Origin>
+std::string warning_of_overlap(const Link& link, const Engine& engine, const Origin& origin) {
+    const auto& a = engine.template state<typename Link::A>();
+    const auto& b = engine.template state<typename Link::B>();
+    const auto pairs = engine.pairs_of(link);
+    const double spacing = 0.5 * (a.material.spacing + b.material.spacing), least = pairs.nearest(engine.threads);
+    if (!(least < 0.3 * spacing))
+        return {};
+    int i = 0;
+    while (pairs.nearest_of(i).second > least * (1 + 1e-6))
+        ++i;
+    const auto place = [&](const auto& s, int k) {
+        std::string at;
+        for (int d = 0; d < Engine::dimension; ++d)
+            at += text(d == 0 ? "" : ", ",
+                       static_cast<double>(s.points().x[static_cast<std::size_t>(d)][k]) +
+                           origin[static_cast<std::size_t>(d)]);
+        return at;
+    };
+    const std::string names = text(type_name<typename Link::A>(), " and ", type_name<typename Link::B>()),
+                      where = text("; one pair is ", least, " m apart, ", least / spacing, " of their mean spacing, at (",
+                                   place(a, i), ") m");
+    require(least >= 1e-3 * spacing, names, " overlap", where, ". Leave out the particles of one where the other is: ",
+            "`fill(a - b, spacing)` for shapes, `remove_if` for particles");
+    return text(names, " start close to each other", where,
+                ". What pushes them apart may throw them; half a spacing from face to face is usual");
 }
 
 } // namespace imbibe::detail

@@ -368,6 +368,12 @@ private:
         if constexpr (requires { material.warning(name); })
             note(material.warning(name));
     }
+    template <class... C>
+    void note_overlaps(TypeList<C...>) {
+        (engine_.template with_link_of<C>(
+             [&](const auto& link) { note(detail::warning_of_overlap(link, engine_, settings_.origin)); }),
+         ...);
+    }
     void note(const std::string& sentence) {
         if (!sentence.empty() && std::find(warnings_.begin(), warnings_.end(), sentence) == warnings_.end())
             warnings_.push_back(sentence);
@@ -467,6 +473,7 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
     check_couplings(Couplings{});
     engine_.find_reference_neighbours();
     engine_.search_neighbours();
+    note_overlaps(Couplings{});
     engine_.template run<typename Scene::Once>(0);
     if constexpr (requires { Integrator::start(engine_); })
         Integrator::start(engine_);

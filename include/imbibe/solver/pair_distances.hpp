@@ -1,0 +1,110 @@
+// What lists of neighbours tell without any term: how near the nearest two particles are, how many neighbours there
+// are, and how much of what is around a particle another phase fills.
+#pragma once
+
+#include <imbibe/core/parallel.hpp>
+#include <imbibe/kernels/wendland.hpp>
+#include <imbibe/search/neighbours.hpp>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace imbibe::detail {
+
+/// The pairs of two phases, or of one with itself, as its list of runs has them.
+template <int dim, class Real, int width>
+class PairDistances {
+public:
+    /// @param targets the particles whose neighbours are listed, and @param sources those that the list counts
+    PairDistances(const search::RunList& runs, const search::Points<dim, Real>& targets,
+                  const search::Points<dim, Real>& sources, const search::Periodic<dim>& periodic)
+        : runs_(runs), targets_(targets), sources_(sources), periodic_(periodic) {}
+
+    /// The distance of the nearest pair, m; infinite where there is none.
+    double nearest(int threads) const {
+        return std::sqrt(parallel_reduce(
+            targets_.n, threads, std::numeric_limits<double>::infinity(),
+            [&](int begin, int end) {
+                using T = Pack<Real, width>;
+                T least2(std::numeric_limits<Real>::infinity());
+                for (int i = begin; i < end; ++i)
+                    for (const search::Run run : runs_[i]) {
+                        T distance2(0);
+                        for (int d = 0; d < dim; ++d)
+                            distance2 += sq(T(place_for(run, i, d)) -
+                                            T::load(sources_.x[static_cast<std::size_t>(d)] + run.first));
+                        least2 = min(least2, select_first(run.count, distance2, least2));
+                    }
+                double nearest2 = std::numeric_limits<double>::infinity();
+                for (int k = 0; k < T::size; ++k)
+                    nearest2 = std::min(nearest2, static_cast<double>(least2[k]));
+                return nearest2;
+            },
+            [](double one, double other) { return std::min(one, other); }));
+    }
+
+    /// The source that is nearest to target i, and how far it is, m; -1 and infinite where it has no neighbour.
+    std::pair<int, double> nearest_of(int i) const {
+        int nearest = -1;
+        double least2 = std::numeric_limits<double>::infinity();
+        for_each(i, [&](int j, double distance2) {
+            if (distance2 < least2) {
+                nearest = j;
+                least2 = distance2;
+            }
+        });
+        return {nearest, std::sqrt(least2)};
+    }
+    /// The mean number of neighbours nearer than `support`, m, the particle itself not counted, over a sample.
+    double mean_number(double support) const {
+        if (targets_.n == 0 || runs_.is_empty())
+            return 0;
+        const int stride = std::max(1, targets_.n / 1000);
+        long long found = 0, sampled = 0;
+        for (int i = 0; i < targets_.n; i += stride, ++sampled)
+            for_each(i, [&](int, double distance2) { found += distance2 > 0 && distance2 < support * support; });
+        return static_cast<double>(found) / static_cast<double>(sampled);
+    }
+
+    /// How much of the surroundings of target i the sources fill, each of which has the volume spacing^dim:
+    /// sum_b V_b W(|x_i - x_b|) with Wendland's C2 over `support`, m. In a plane face it is a half.
+    double filled_around(int i, double support, double spacing) const {
+        const double peak = WendlandC2::normalisation<dim>() * power<dim>(spacing / support);
+        double share = 0;
+        for_each(i, [&](int, double distance2) { share += peak * WendlandC2::value(std::sqrt(distance2) / support); });
+        return share;
+    }
+    /// Is target i without neighbours? That is known at once.
+    bool is_alone(int i) const { return runs_[i].begin() == runs_[i].end(); }
+
+private:
+    const search::RunList& runs_;
+    search::Points<dim, Real> targets_, sources_;
+    const search::Periodic<dim>& periodic_;
+
+    // Calls f(source, distance^2) for every source in the runs of target i.
+    template <class F>
+    void for_each(int i, const F& f) const {
+        for (const search::Run run : runs_[i])
+            for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
+                double distance2 = 0;
+                for (int d = 0; d < dim; ++d)
+                    distance2 += sq(static_cast<double>(place_for(run, i, d)) -
+                                    static_cast<double>(sources_.x[static_cast<std::size_t>(d)][j]));
+                f(static_cast<int>(j), distance2);
+            }
+    }
+    // Coordinate d of target i as it is seen from the image of the domain that a run of its neighbours is in.
+    IMBIBE_INLINE Real place_for(const search::Run& run, int i, int d) const {
+        const auto k = static_cast<std::size_t>(d);
+        const Real length = static_cast<Real>(periodic_.length[k]), here = targets_.x[k][i];
+        if (length == 0)
+            return here;
+        // a total-Lagrangian phase is not wrapped
+        return search::into_period(here, static_cast<Real>(periodic_.lower[k]), length) -
+               static_cast<Real>(search::image_step(run.shift, d)) * length;
+    }
+};
+
+} // namespace imbibe::detail
