@@ -15,9 +15,10 @@ Outcome run_with(const Numerics& numerics) {
     const Layers layers{support, dx, dx, 2};
     Scene<2, float, Kit> scene(
         {.gravity = {0, -gravity}, .support_radius = support, .search_interval = 4, .threads = 1});
-    const double gap = Kit::first_gap(load, layers);
+    // Whole columns of water, the last of which is where it has to be: `fill` would put them in the middle.
+    const double last = width - Kit::first_gap(load, layers), first = last - std::floor(last / dx + 1e-9) * dx;
     const auto pool = scene.add(water(10 * std::sqrt(2 * gravity * depth)),
-                                sph::fill(sph::Box<2>{{0, 0}, {width - gap, depth}}, dx), dx);
+                                sph::fill(sph::Box<2>{{first, 0}, {last, depth}}, dx), dx);
     // Its support is never wider than the water's: that between the two is the wider one, and what is varied.
     const double young = sph::bending_modulus(1.2e7, static_cast<int>(std::lround(thickness / dx)));
     const auto gate = scene.add(elastic<Kit>(young, 0.4, 1100, 2 * dx),
