@@ -1,7 +1,7 @@
 // How long steps can be, and how far a scene can be pushed, before it goes wrong: a matrix of compositions and hard
 // cases, each bisected. Writes the tables of docs/stability.md between their markers.
 //
-//   build-benchmark/benchmarks/stability --write docs/stability.md       about a quarter of an hour on one core
+//   build-benchmark/benchmarks/stability --write docs/stability.md       some minutes on one core
 //   build-benchmark/benchmarks/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
 //   build-benchmark/benchmarks/stability --part Limits                   a part of the tables, printed
 #include "stability/rows.hpp"
