@@ -2,6 +2,7 @@
 #include "sponge_run.hpp"
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/geometry/pore_report.hpp>
 #include <imbibe/monitor/progress.hpp>
 
 #include <cstdio>
@@ -18,6 +19,9 @@ SpongeResult run_sponge(const std::string& composition, const std::string& preci
     const bool paper = composition == "paper", single = precision == "float";
     require(paper || composition == "sound", "composition = ", composition, "; it must be paper or sound");
     require(single || precision == "double", "precision = ", precision, "; it must be float or double");
+    numbers.check();
+    if (!output.quiet)
+        std::printf("Pores: %s\n", pore_report(paper_slab(numbers.slab()), numbers.water_spacing).sentence.c_str());
     if (paper)
         return single ? run_sponge<presets::PaperSponge, float>(numbers, end, output)
                       : run_sponge<presets::PaperSponge, double>(numbers, end, output);

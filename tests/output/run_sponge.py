@@ -34,7 +34,8 @@ def check_good_run(folder):
     code, said = run("--quick", "--end", 0.004, "--snapshots", 1, "--threads", 1, "--output", folder)
     check(code == 0, "exit status", code, said)
     for words in ("Scene in 3D, float", "effects:", "bytes each", "Schedule:", "Neighbours:", "Time step:",
-                  "Expected wall time", "M particle-steps/s", "Summary (sound composition", "all accounted for"):
+                  "Expected wall time", "Pores: porosity", "M particle-steps/s", "Summary (sound composition",
+                  "all accounted for"):
         check(words in said, f"'{words}' is not in what it said:\n{said}")
 
     with open(folder / "sponge.csv", newline="") as file:

@@ -100,9 +100,9 @@ struct SpongeCase {
         return fill(Box<3>{{x - side / 2, y - side / 2, z}, {x + side / 2, y + side / 2, z + height}}, water_spacing);
     }
     /// Where the particles of the sponge are, m.
-    std::vector<Point<3>> sponge() const {
-        return paper_slab_particles({.pore_radius = pore_radius, .spacing = solid_spacing, .rows = rows()});
-    }
+    std::vector<Point<3>> sponge() const { return paper_slab_particles(slab()); }
+    /// The numbers of its shape.
+    PaperSlab slab() const { return {.pore_radius = pore_radius, .spacing = solid_spacing, .rows = rows()}; }
     /// The walls around: the tank is as long and wide as the slab, open above and below.
     std::vector<Point<3>> vessel(double reach) const {
         const Box<3> inner{{0, 0, -drain}, {length(), width(), water_bottom() + water_height() + walls_above()}};
