@@ -5,7 +5,7 @@
 //   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
 //   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
 //
-// The other cases: cylinders, plate, soft-plate, sponge; one file each in accuracy/, whose first lines say what it is.
+// The other cases: dam-break, cylinders, plate, soft-plate, sponge; one file each in accuracy/, whose first lines say what it is.
 #include "accuracy/cases.hpp"
 
 #include <CLI/CLI.hpp>
@@ -17,8 +17,9 @@ int main(int argc, char** argv) {
     using cost::Rows;
     const std::map<std::string, Rows (*)(cost::accuracy::Study, bool)> cases{
         {"taylor-green", cost::taylor_green}, {"poiseuille", cost::poiseuille},
-        {"cylinders", cost::cylinders},       {"plate", cost::plate},
-        {"soft-plate", cost::soft_plate},     {"sponge", cost::sponge}};
+        {"dam-break", cost::dam_break},       {"cylinders", cost::cylinders},
+        {"plate", cost::plate},               {"soft-plate", cost::soft_plate},
+        {"sponge", cost::sponge}};
     std::string name, output = "accuracy.csv";
     bool quick = false;
     CLI::App app{"What accuracy costs in time: a scene with a reference over spacings, schemes, supports and steps."};

@@ -1,6 +1,7 @@
 // What each effect costs: compositions with an effect and without it, a cube of 8000 particles in motion, 3D, float, a
 // support of 2.6 spacings of Wendland's C2, one thread; the loops of a step, without search and motion, which cost
-// every composition the same. tools/effects_report.py runs all of it and writes docs/effects.md:
+// every composition the same. Walls and couplings are a floor or a slab under a cube of water, three layers thick.
+// tools/effects_report.py runs all of it and writes docs/effects.md:
 //
 //   build-benchmark/benchmarks/effects                    the cases, and what is known of each before it runs
 //   build-benchmark/benchmarks/effects CASE               does the work of a case once, for counting instructions
@@ -54,6 +55,28 @@ struct PlateVolumetric
     : Solid<ReferenceCorrection<K>, DeformationGradient<K>, VolumetricDeviatoric<>, TotalLagrangianForce<K>> {};
 struct PlatePairwise : Solid<ReferenceCorrection<K>, DeformationGradient<K>, PairwiseShearForce<K>> {};
 
+// What lies under the water, and what is between the two.
+struct Floor : Wall<> {};
+struct Slab : PlateWith<> {};
+struct SlabNormal : PlateWith<ReferenceSurfaceNormal<K>> {};
+template <class Below, class... Term>
+using Contact = Coupling<Water, Below, Term...>;
+template <class Below, class... More>
+using Extrapolation = Contact<Below, Into<Below, PressureExtrapolation<K>>, VolumePressure<K>,
+                              Into<Water, VolumeContinuity<K>>, More...>;
+template <class Below>
+using Riemann = Contact<Below, Into<Water, RiemannWallNormal<K>>, RiemannWallPressure<K>,
+                        Into<Water, RiemannWallContinuity<K>>>;
+struct FloorExtrapolation : Extrapolation<Floor> {};
+struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
+struct FloorRiemann : Riemann<Floor> {};
+struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};
+struct SlabExtrapolation : Extrapolation<Slab> {};
+struct SlabRiemann : Riemann<Slab> {};
+struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
+struct SlabModified : Contact<Slab, ModifiedRepulsion> {};
+struct SlabRepulsion : Contact<Slab, KernelRepulsion<>> {};
+
 template <class P>
 P material() {
     if constexpr (requires(P p) { p.shear_modulus; })
@@ -62,21 +85,56 @@ P material() {
         return P{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
 }
 
+constexpr int particles = 8000;
+constexpr double support = 2.6; // spacings
+
+/// A cube of one phase.
 template <class P>
-auto prepared() {
-    return bench::block<float>(material<P>(), 8000, 2.6);
-}
-template <class P>
+struct Alone {
+    using Costs = imbibe::Costs<Composition<3, P>>;
+    static std::string costs() {
+        return text(Costs::template bytes<P, float>, " ", Costs::template sweeps<P>, " ", Costs::rounds, " ",
+                    Costs::template loads<P, P>);
+    }
+    static auto prepared() { return bench::block<float>(material<P>(), particles, support); }
+};
+/// A cube of water on a layer of another phase, with a coupling or none. Costs are those of both phases together.
+template <class Below, class... Between>
+struct OnTop {
+    using Costs = imbibe::Costs<Composition<3, Water, Below, Between...>>;
+    static std::string costs() {
+        return text(Costs::template bytes<Water, float> + Costs::template bytes<Below, float>, " ",
+                    Costs::template sweeps<Water> + Costs::template sweeps<Below>, " ", Costs::rounds, " ",
+                    Costs::template loads<Water, Water> + Costs::template loads<Water, Below> +
+                        Costs::template loads<Below, Water> + Costs::template loads<Below, Below>);
+    }
+    static auto prepared() {
+        using bench::spacing;
+        Solver<3, float, SymplecticEuler, Water, Below, Between...> scene(
+            {.gravity = {0, 0, -9.81}, .support_radius = support * spacing, .threads = 1});
+        const double side = std::cbrt(double(particles)) * spacing;
+        const auto water = scene.add(material<Water>(), bench::cube(particles), spacing);
+        const auto below =
+            scene.add(material<Below>(), fill(Box<3>{{0, 0, -3 * spacing}, {side, side, 0}}, spacing), spacing);
+        bench::stir(scene[water], spacing);
+        if constexpr (Below::moves)
+            bench::stir(scene[below], spacing);
+        scene.prepare();
+        return scene.engine();
+    }
+};
+
+template <class Subject>
 double count() {
-    auto engine = prepared<P>();
+    auto engine = Subject::prepared();
     bench::count([&] { bench::run_loops(engine); });
-    return engine.template state<P>().size();
+    return particles;
 }
-/// The shortest of 30 steps, ns per particle.
-template <class P>
+/// The shortest of 30 steps, ns per particle of the cube.
+template <class Subject>
 double nanoseconds() {
-    auto engine = prepared<P>();
-    return 1e9 * bench::shortest_seconds(30, [&] { bench::run_loops(engine); }) / engine.template state<P>().size();
+    auto engine = Subject::prepared();
+    return 1e9 * bench::shortest_seconds(30, [&] { bench::run_loops(engine); }) / particles;
 }
 
 struct Case {
@@ -84,16 +142,19 @@ struct Case {
     double (*count)();
     double (*nanoseconds)();
 };
-template <class P>
-void add(std::map<std::string, Case>& cases, const char* effect, const char* good_for) {
-    using C = Costs<Composition<3, P>>;
-    cases[detail::type_name<P>()] = {
-        text(C::template bytes<P, float>, " ", C::template sweeps<P>, " ", C::rounds, " ", C::template loads<P, P>),
-        effect, good_for, count<P>, nanoseconds<P>};
+using Cases = std::map<std::string, Case>;
+/// @tparam Named the phase or coupling that gives the case its name
+template <class Named, class Subject = Alone<Named>>
+void add(Cases& cases, const char* effect, const char* good_for) {
+    cases[detail::type_name<Named>()] = {Subject::costs(), effect, good_for, count<Subject>, nanoseconds<Subject>};
+}
+template <class Between>
+void add_contact(Cases& cases, const char* effect, const char* good_for) {
+    add<Between, OnTop<typename Between::Second, Between>>(cases, effect, good_for);
 }
 
-std::map<std::string, Case> all_cases() {
-    std::map<std::string, Case> cases;
+Cases all_cases() {
+    Cases cases;
     add<Water>(cases, "a fluid: `LinearState`, `VolumeContinuity`, `VolumePressure`",
                "what the rows below are compared with");
     add<WaterMonaghan>(cases, "`MonaghanViscosity`", "damps noise and sound; keeps particles apart in a shock");
@@ -132,6 +193,26 @@ std::map<std::string, Case> all_cases() {
                        "solids that are hit, twisted or bent hard");
     add<PlateVolumetric>(cases, "`VolumetricDeviatoric` in place of `StVenantKirchhoff`",
                          "rubber that hardly changes its volume");
+    add<Floor, OnTop<Floor>>(cases, "that fluid on a floor that it does not see",
+                             "what the rows below are compared with");
+    add_contact<FloorExtrapolation>(
+        cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two", "walls");
+    add_contact<FloorNoSlip>(cases, "the same with `NoSlipVelocity` and `NoSlipViscosity`",
+                             "walls that a viscous fluid sticks to");
+    add_contact<FloorRiemann>(cases, "`RiemannWallNormal`, `RiemannWallPressure`, `RiemannWallContinuity`",
+                              "walls that are hit");
+    add_contact<FloorRepulsion>(cases, "`KernelRepulsion`", "the paper's walls; a guard beside one of the others");
+    add<Slab, OnTop<Slab>>(cases, "that fluid on a total-Lagrangian slab that it does not see",
+                           "what the rows below are compared with");
+    add_contact<SlabExtrapolation>(
+        cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two",
+        "pressure without a number to choose");
+    add_contact<SlabRiemann>(cases, "`RiemannWallNormal`, `RiemannWallPressure`, `RiemannWallContinuity`",
+                             "the same, for impacts; what depends least on the support");
+    add_contact<SlabNormals>(cases, "`ReferenceSurfaceNormal`, `SurfaceNormalPressure` and `VolumeContinuity`",
+                             "pressure along the normals of a thick solid");
+    add_contact<SlabModified>(cases, "`ModifiedRepulsion`", "water that only has to stay outside");
+    add_contact<SlabRepulsion>(cases, "`KernelRepulsion`", "the paper's coupling");
     return cases;
 }
 

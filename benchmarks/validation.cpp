@@ -8,9 +8,12 @@
 #include "validation/cylinders.hpp"
 #include "validation/elastic_baffle.hpp"
 #include "validation/elliptic_drop.hpp"
+#include "validation/one_pore.hpp"
 #include "validation/oscillating_plate.hpp"
+#include "validation/pipe.hpp"
 #include "validation/plates.hpp"
 #include "validation/report.hpp"
+#include "validation/spheres.hpp"
 #include "validation/spinning_plate.hpp"
 #include "validation/square_patch.hpp"
 #include "validation/standing_wave.hpp"
@@ -29,6 +32,9 @@ int main(int argc, char** argv) {
         {"poiseuille", "particles across the gap", {12, 25, 50}, plates::measure_poiseuille},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
+        {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
+        {"pipe", "particles across the pipe", {12, 24, 48}, pipe::measure},
+        {"one-pore", "particles over the radius", {3, 4, 6}, one_pore::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"standing-wave", "particles over the depth", {25, 50}, standing_wave::measure},
         {"square-patch", "particles along a side", {25, 50}, square_patch::measure},

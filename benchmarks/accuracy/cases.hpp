@@ -16,6 +16,7 @@ using Words = std::vector<std::string>; ///< the choices on an axis
 // Each adds its axes to the study and runs it; `quick`: the coarsest resolutions only.
 Rows taylor_green(accuracy::Study study, bool quick); ///< vortices that decay, Re = 100
 Rows poiseuille(accuracy::Study study, bool quick);   ///< the start of a flow between plates
+Rows dam_break(accuracy::Study study, bool quick);    ///< the front of a column that collapses
 Rows cylinders(accuracy::Study study, bool quick);    ///< creeping flow through an array of cylinders
 Rows plate(accuracy::Study study, bool quick);        ///< a plate that swings
 Rows soft_plate(accuracy::Study study, bool quick);   ///< water on a soft plate

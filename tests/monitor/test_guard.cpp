@@ -133,7 +133,7 @@ TEST_CASE("A guard names the particle that is wrong", "[guard]") {
 }
 
 TEST_CASE("A guard notices a particle that is on its way through a wall, and none that stands in a corner", "[guard]") {
-    // Walls of three layers fill the square outside [0, 1]^2; a drop is put somewhere, and the scene takes one short step.
+    // Walls of three layers are around [0, 1]^2; a drop is put somewhere, and the scene takes one short step.
     const auto drop_at = [](double x, double y) {
         Pool scene({.support_radius = 2.6 * dx});
         scene.add(Water{{.density = 1000, .sound_speed = 40}}, {{x, y}}, dx);
@@ -142,8 +142,8 @@ TEST_CASE("A guard notices a particle that is on its way through a wall, and non
         scene.step(1e-9);
         guard.look(scene);
     };
-    CHECK_NOTHROW(drop_at(0.5, dx / 2));       // at a wall, as a layer of water
-    CHECK_NOTHROW(drop_at(0.5, -0.1 * dx));    // pressed a little behind its face
+    CHECK_NOTHROW(drop_at(0.5, dx / 2));          // at a wall, as a layer of water
+    CHECK_NOTHROW(drop_at(0.5, -0.1 * dx));       // pressed a little behind its face
     CHECK_NOTHROW(drop_at(0.25 * dx, 0.25 * dx)); // pressed into a corner
     for (const double depth : {1.0, 1.3, 1.6, 2.0}) {
         const auto error = thrown_by([&] { drop_at(0.5, -depth * dx); });

@@ -410,7 +410,8 @@ TEST_CASE("Phases that overlap are refused, and those that start close are warne
     };
     for (const double gap : {0.0, 0.9e-4})
         CHECK_THROWS_WITH(start(gap), imbibe_test::contains("Drop and Shore overlap") &&
-                                          imbibe_test::contains("(10.5, 2, 3) m") && imbibe_test::contains("remove_if"));
+                                          imbibe_test::contains("(10.5, 2, 3) m") &&
+                                          imbibe_test::contains("remove_if"));
     const auto close = start(0.029);
     REQUIRE(close.warnings().size() == 1); // the same pair, seen from either phase
     CHECK_THAT(close.warnings()[0], imbibe_test::contains("Drop and Shore start close") &&

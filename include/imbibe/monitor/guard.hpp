@@ -48,9 +48,10 @@ struct GuardSettings {
     std::array<double, static_cast<std::size_t>(dim)> lower = filled(-std::numeric_limits<double>::infinity()),
                                                       /// The upper corner of the domain, m.
         upper = filled(std::numeric_limits<double>::infinity());
-    /// How much of a particle's surroundings particles of a wall may fill (0: none; 1: all), over the support radius: at
-    /// a wall's face it is a half, in a corner of three walls seven eighths. Looked at where that support is at least 1.5
-    /// spacings of the wall. A wall thinner than the support never fills so much: there the domain has to notice.
+    /// How much of a particle's surroundings particles of a wall may fill (0: none; 1: all), over the support radius:
+    /// at a wall's face it is a half, in a corner of three walls seven eighths. Looked at where that support is at
+    /// least 1.5 spacings of the wall. A wall thinner than the support never fills so much: there the domain has to
+    /// notice.
     double inside_wall = 0.92;
     /// How much kinetic and potential energy may appear, as a share of what the scene turns over (its kinetic energy,
     /// or the potential energy that has been released, whichever is more), and beside what rounding of positions may
@@ -205,8 +206,8 @@ private:
                 if (filled > settings_.inside_wall)
                     stop(scene, Cause::inside_wall, detail::type_name<A>(), scene[PhaseHandle<A>{}], i,
                          text("is inside ", detail::type_name<B>(), ", whose particles fill ", filled,
-                              " of its surroundings: a KernelRepulsion over 0.8 spacings keeps them apart, a higher sound "
-                              "speed lets less water in"));
+                              " of its surroundings: a KernelRepulsion over 0.8 spacings keeps them apart, a higher "
+                              "sound speed lets less water in"));
             }
         }
     }

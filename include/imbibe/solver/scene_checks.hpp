@@ -66,8 +66,8 @@ std::string warning_of_overlap(const Link& link, const Engine& engine, const Ori
         return at;
     };
     const std::string names = text(type_name<typename Link::A>(), " and ", type_name<typename Link::B>()),
-                      where = text("; one pair is ", least, " m apart, ", least / spacing, " of their mean spacing, at (",
-                                   place(a, i), ") m");
+                      where = text("; one pair is ", least, " m apart, ", least / spacing,
+                                   " of their mean spacing, at (", place(a, i), ") m");
     require(least >= 1e-3 * spacing, names, " overlap", where, ". Leave out the particles of one where the other is: ",
             "`fill(a - b, spacing)` for shapes, `remove_if` for particles");
     return text(names, " start close to each other", where,
