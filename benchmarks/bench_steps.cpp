@@ -46,7 +46,7 @@ struct DamBreak {
         const double dx = std::cbrt(0.5 * 0.3 * 0.5 / particles);
         Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx, .threads = threads});
         Water water{{.density = 1000, .sound_speed = 45}};
-        water.set(MonaghanViscosityParameters{.alpha = 0.02});
+        water.set(MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
         scene.add(water, fill(Box<3>({0, 0, 0}, {0.5, 0.3, 0.5}), dx), dx);
         scene.add(Tank{{.density = 1000}}, tank(Box<3>({0, 0, 0}, {1.6, 0.3, 0.8}), dx, 3, Sides::z_high), dx);
         return scene;

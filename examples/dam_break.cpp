@@ -14,7 +14,7 @@ int main() {
     const double dx = 0.02, end = 1.0;
     Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx});
     Water water{{.density = 1000, .sound_speed = 45}};
-    water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
+    water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
     scene.add(water, sph::fill(sph::Box<3>({0, 0, 0}, {0.5, 0.3, 0.5}), dx), dx);
     scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<3>({0, 0, 0}, {1.6, 0.3, 0.8}), dx, 3, sph::Sides::z_high), dx);
     std::printf("%s", sph::describe(scene).c_str());

@@ -26,7 +26,9 @@ void add_fluids(Table& table) {
     add<WeaklyCompressible, float>(table, sph::text(WeaklyCompressible::name, ", float"));
     add<Integrated<WeaklyCompressible, sph::StaggeredLeapfrog>>(
         table, sph::text(WeaklyCompressible::name, ", StaggeredLeapfrog"));
+    add<Braked>(table, Braked::name);
     add<DamBreak>(table, DamBreak::name);
+    add<UnbrakedDamBreak>(table, UnbrakedDamBreak::name);
     add<GuardedDamBreak>(table, GuardedDamBreak::name);
     add<Riemann>(table, Riemann::name);
     add<Paper>(table, Paper::name);

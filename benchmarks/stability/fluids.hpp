@@ -33,6 +33,13 @@ struct WeaklyCompressible {
     }
 };
 
+/// The same with Monaghan's beta, which parts what meets fast.
+struct Braked : WeaklyCompressible {
+    static constexpr const char* name = "weakly compressible, beta = 1";
+    using WeaklyCompressible::set;
+    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }
+};
+
 /// The water of the dam break in the README: stiffer state, no floor under the density.
 struct DamBreak {
     static constexpr const char* name = "README's dam break";
@@ -44,16 +51,23 @@ struct DamBreak {
     struct Tank : sph::Wall<> {};
     struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                  sph::Into<Water, sph::VolumeContinuity<K>>> {};
-    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02}); }
+    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }
     static void set(Sides&) {}
 };
 
-/// The same with a guard on its walls: a repulsion over less than a spacing, as stiff as rho c^2 in the splash.
-struct GuardedDamBreak : DamBreak {
-    static constexpr const char* name = "README's dam break with a guard";
+/// The same as it was before it had a beta.
+struct UnbrakedDamBreak : DamBreak {
+    static constexpr const char* name = "README's dam break without beta";
+    using DamBreak::set;
+    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02}); }
+};
+
+/// That with a guard on its walls: a repulsion over less than a spacing, as stiff as rho c^2 in the splash.
+struct GuardedDamBreak : UnbrakedDamBreak {
+    static constexpr const char* name = "README's dam break with a guard in place of beta";
     struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                  sph::Into<Water, sph::VolumeContinuity<K>>, sph::KernelRepulsion<>> {};
-    using DamBreak::set;
+    using UnbrakedDamBreak::set;
     static void set(Sides& sides) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e5, .range = 0.8}); }
 };
 

@@ -412,7 +412,16 @@ TEST_CASE("Phases that overlap are refused, and those that start close are warne
         CHECK_THROWS_WITH(start(gap), imbibe_test::contains("Drop and Shore overlap") &&
                                           imbibe_test::contains("(10.5, 2, 3) m") &&
                                           imbibe_test::contains("remove_if"));
-    const auto close = start(0.029);
+    // Nearer than the square of a float can tell from 0.
+    sph::Solver<3, float, sph::SymplecticEuler, Drop, Shore, Landfall> fine({.support_radius = 2.6e-4});
+    fine.add(drop, {{5.4e-20, 0, 0}}, 1e-4);
+    fine.add(Shore{{.density = 1000}}, {{0, 0, 0}, {1e-4, 0, 0}}, 1e-4);
+    CHECK_THROWS_WITH(fine.prepare(), imbibe_test::contains("Drop and Shore overlap"));
+    // What is added to a run is not asked again.
+    auto close = start(0.029);
+    close.step(1e-6);
+    close.add(drop, {{20, 2, 3}}, 0.1);
+    close.step(1e-6);
     REQUIRE(close.warnings().size() == 1); // the same pair, seen from either phase
     CHECK_THAT(close.warnings()[0], imbibe_test::contains("Drop and Shore start close") &&
                                         imbibe_test::contains("0.29 of their mean spacing"));

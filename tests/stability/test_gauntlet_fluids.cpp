@@ -3,6 +3,8 @@
 #include "stability/fluids.hpp"
 
 using namespace gauntlet;
+using stability::Braked;
+using stability::DamBreak;
 using stability::Riemann;
 using stability::WeaklyCompressible;
 
@@ -18,6 +20,8 @@ TEST_CASE("Still water stays still, with a smooth pressure", "[stability]") { //
 
 TEST_CASE("A block of water hits a floor", "[stability]") { // row 7
     check_margin(stability::impact<Riemann>, 0.1);
+    check_margin(stability::impact<Braked>, 0.3);
+    check_margin(stability::impact<DamBreak>, 0.3);
 }
 
 TEST_CASE("A spinning square of water stays free of clumps", "[stability]") { // row 1
@@ -27,6 +31,8 @@ TEST_CASE("A spinning square of water stays free of clumps", "[stability]") { //
 TEST_CASE("A drop splashes into a pool", "[stability]") { // row 19
     check_margin(stability::splash<WeaklyCompressible>);
     check_margin(stability::splash<Riemann>);
+    check_margin(stability::splash<Braked>);
+    check_margin(stability::splash<DamBreak>);
 }
 
 TEST_CASE("Steps of 5 and 20 times the limit of a fluid are noticed", "[stability]") { // row 13

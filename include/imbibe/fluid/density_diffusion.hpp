@@ -33,10 +33,9 @@ struct DensityDiffusionParameters {
 /// is antisymmetric), so the mean density weighted with volume does not drift.
 ///
 /// Not in a coupling: across an interface, and towards a wall, densities differ for good reason. Not a substitute for
-/// viscosity: it damps sound, not motion. Not in creeping flow: down a gradient of the pressure it lets a volume of
-/// delta H/(2 rho c) grad p pass per area and time, beside the velocity; in the narrow pore of
-/// benchmarks/validation/one_pore.hpp that is a tenth of the flow. A higher sound speed makes it less. In a tank that is accelerated, gravity is not all that acts: switch
-/// `hydrostatic` off there.
+/// viscosity: it damps sound, not motion. Not in creeping flow: with it the narrow pore of
+/// benchmarks/validation/one_pore.hpp has a tenth less resistance (docs/validation.md). In a tank that is accelerated,
+/// gravity is not all that acts: switch `hydrostatic` off there.
 ///
 /// Source: Molteni and Colagrossi (2009); hydrostatic part: Fourtakas et al. (2019), here linearised.
 template <class Kernel = WendlandC2>

@@ -165,9 +165,9 @@ public:
         const auto& a = this->template state<typename L::A>();
         const auto& b = this->template state<typename L::B>();
         if constexpr (L::reference)
-            return {link.runs, a.points_of(reference_position), b.points_of(reference_position), this->periodic};
-        else
-            return {link.runs, a.points(), seen_points(b), this->periodic};
+            return {link.runs, a.points_of(reference_position), b.points_of(reference_position), this->periodic, true};
+        else // a total-Lagrangian phase is not wrapped
+            return {link.runs, a.points(), seen_points(b), this->periodic, State<typename L::A>::keeps_reference};
     }
     /// Calls f(link) with the link of a coupling, if it has one. The link the other way round, which it may have as
     /// well, has the same pairs.

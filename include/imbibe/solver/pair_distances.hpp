@@ -17,9 +17,10 @@ template <int dim, class Real, int width>
 class PairDistances {
 public:
     /// @param targets the particles whose neighbours are listed, and @param sources those that the list counts
+    /// @param wraps do the places of the targets have to be moved into the periodic box, as they were for the search?
     PairDistances(const search::RunList& runs, const search::Points<dim, Real>& targets,
-                  const search::Points<dim, Real>& sources, const search::Periodic<dim>& periodic)
-        : runs_(runs), targets_(targets), sources_(sources), periodic_(periodic) {}
+                  const search::Points<dim, Real>& sources, const search::Periodic<dim>& periodic, bool wraps)
+        : runs_(runs), targets_(targets), sources_(sources), periodic_(periodic), wraps_(wraps) {}
 
     /// The distance of the nearest pair, m; infinite where there is none.
     double nearest(int threads) const {
@@ -82,6 +83,7 @@ private:
     const search::RunList& runs_;
     search::Points<dim, Real> targets_, sources_;
     const search::Periodic<dim>& periodic_;
+    bool wraps_;
 
     // Calls f(source, distance^2) for every source in the runs of target i.
     template <class F>
@@ -101,9 +103,9 @@ private:
         const Real length = static_cast<Real>(periodic_.length[k]), here = targets_.x[k][i];
         if (length == 0)
             return here;
-        // a total-Lagrangian phase is not wrapped
-        return search::into_period(here, static_cast<Real>(periodic_.lower[k]), length) -
-               static_cast<Real>(search::image_step(run.shift, d)) * length;
+        // What has left the box since the search is seen from where it was.
+        const Real at = wraps_ ? search::into_period(here, static_cast<Real>(periodic_.lower[k]), length) : here;
+        return at - static_cast<Real>(search::image_step(run.shift, d)) * length;
     }
 };
 

@@ -51,12 +51,14 @@ std::string warning_of_overlap(const Link& link, const Engine& engine, const Ori
     const auto& a = engine.template state<typename Link::A>();
     const auto& b = engine.template state<typename Link::B>();
     const auto pairs = engine.pairs_of(link);
-    const double spacing = 0.5 * (a.material.spacing + b.material.spacing), least = pairs.nearest(engine.threads);
-    if (!(least < 0.3 * spacing))
+    const double spacing = 0.5 * (a.material.spacing + b.material.spacing);
+    if (!(pairs.nearest(engine.threads) < 0.3 * spacing))
         return {};
-    int i = 0;
-    while (pairs.nearest_of(i).second > least * (1 + 1e-6))
-        ++i;
+    int i = 0; // of the nearest pair
+    for (int k = 1; k < a.size(); ++k)
+        if (pairs.nearest_of(k).second < pairs.nearest_of(i).second)
+            i = k;
+    const double least = pairs.nearest_of(i).second;
     const auto place = [&](const auto& s, int k) {
         std::string at;
         for (int d = 0; d < Engine::dimension; ++d)

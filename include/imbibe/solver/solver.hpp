@@ -177,7 +177,7 @@ public:
         engine_.for_each_phase([&](auto, const auto& s) { n += s.size(); });
         return n;
     }
-    /// What deserves a look but is no error, found while particles were added.
+    /// What deserves a look but is no error, found while particles were added and before the first step.
     const std::vector<std::string>& warnings() const { return warnings_; }
     /// For parts of the library that need more than views.
     const Engine& engine() const { return engine_; }
@@ -276,6 +276,7 @@ public:
     }
     /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
     /// by itself.
+    /// @throws Error for a scene without particles, coefficients out of range, or coupled phases that start overlapped
     void prepare();
 
 private:
@@ -473,7 +474,8 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
     check_couplings(Couplings{});
     engine_.find_reference_neighbours();
     engine_.search_neighbours();
-    note_overlaps(Couplings{});
+    if (steps_ == 0) // what is added to a run comes where there is room, or motion has brought the two together
+        note_overlaps(Couplings{});
     engine_.template run<typename Scene::Once>(0);
     if constexpr (requires { Integrator::start(engine_); })
         Integrator::start(engine_);
