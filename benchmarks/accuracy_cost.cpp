@@ -5,7 +5,8 @@
 //   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
 //   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
 //
-// The other cases: dam-break, cylinders, plate, soft-plate, sponge; one file each in accuracy/, whose first lines say what it is.
+// The other cases: dam-break, cylinders, plate, soft-plate, sponge; one file each in accuracy/, whose first lines say
+// what it is.
 #include "accuracy/cases.hpp"
 
 #include <CLI/CLI.hpp>

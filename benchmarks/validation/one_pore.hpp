@@ -2,9 +2,9 @@
 //
 // Reference: Dagan, Weinbaum and Pfeffer (1982): the pressure that drives Q through a pore of radius a in a plate of
 // thickness L between two half spaces is Dp a^3/(mu Q) = 3 + 8 L/(pi a), within 1 %.
-// Geometry: a and nu are 1, L = 2 a. Cubic lattice, periodic in all directions: pores are 8 a apart, and plates 6 a. What
-// the neighbouring pores take off the 3 is not corrected for.
-// Scheme: that of creeping.hpp; sound is 30 nu/a, 500 times the speed in the pore. The liquid starts with the pressure
+// Geometry: a and nu are 1, L = 2 a. Cubic lattice, periodic in all directions: pores are 8 a apart, and plates 6 a.
+// What the neighbouring pores take off the 3 is not corrected for.
+// Scheme: that of creeping.hpp; sound is 30 nu/a, a thousand times the speed in the pore. The liquid starts with the pressure
 // with which it ends, but for what the flow near the pore makes of it: otherwise it would ring for long.
 // Measure: rho f (L + 6 a) a^3/(mu Q): a body force on all of the liquid drives as a pressure drop of rho f a period.
 // Q is the mean flux along the plates' normal, once it has stopped growing.

@@ -4,7 +4,7 @@
 // Geometry: R and nu are 1; 8 spacings long and periodic, cubic lattice, whose points within R of the axis are liquid
 // and those round it the wall. Where the axis lies between the lattice's points is chosen so that the liquid takes its
 // share of them.
-// Scheme: that of creeping.hpp; sound is 40 nu/R, sixty times the greatest speed and more.
+// Scheme: that of creeping.hpp; sound is 40 nu/R, 160 times the greatest speed.
 // Measure: u on the axis, that of the parabola in r^2 that fits the inner half of the radius best.
 #pragma once
 

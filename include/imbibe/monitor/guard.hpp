@@ -49,9 +49,9 @@ struct GuardSettings {
                                                       /// The upper corner of the domain, m.
         upper = filled(std::numeric_limits<double>::infinity());
     /// How much of a particle's surroundings particles of one wall may fill (0: none; 1: all), over the support radius.
-    /// At a wall's face it is a half, in a corner of three walls seven eighths, in the middle of three layers 0.97 and more.
-    /// Looked at where that support is at least 2 spacings of the wall, and no particle was removed since the last
-    /// search. Walls of one or two layers may never fill so much: there the domain has to notice.
+    /// At a wall's face it is a half, in a corner of three walls seven eighths, in the middle of three layers 0.97 and
+    /// more. Looked at where that support is at least 2 spacings of the wall, and no particle was removed since the
+    /// last search. Walls of one or two layers may never fill so much: there the domain has to notice.
     double inside_wall = dim == 2 ? 0.92 : 0.96;
     /// How much kinetic and potential energy may appear, as a share of what the scene turns over (its kinetic energy,
     /// or the potential energy that has been released, whichever is more), and beside what rounding of positions may
@@ -68,7 +68,8 @@ struct GuardSettings {
         for (std::size_t d = 0; d < dim; ++d)
             require(lower[d] < upper[d], "Guard: the domain ends at ", upper[d], " m where it begins at ", lower[d],
                     " m");
-        require(inside_wall > 0, "Guard: inside_wall = ", inside_wall, " (a share); it must be above 0, usually 0.92 in 2D and 0.96 in 3D");
+        require(inside_wall > 0, "Guard: inside_wall = ", inside_wall,
+                " (a share); it must be above 0, usually 0.92 in 2D and 0.96 in 3D");
         require(energy > 0, "Guard: energy = ", energy, " (a share); it must be above 0");
     }
 
