@@ -32,7 +32,7 @@ Outcome columns_in_pairs(const Plan& plan) {
 }
 
 /// A block of water at rest that starts `value` spacings deep in an elastic block. Row 11: phases may be laid over each
-/// other; a scene warns of single pairs that are near, and refuses only those that coincide.
+/// other; a scene warns of pairs that are near.
 template <class C, class Real = double>
 Outcome water_in_solid(const Plan& plan) {
     const double c = 30;

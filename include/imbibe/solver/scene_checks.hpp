@@ -42,9 +42,7 @@ std::string warning_of_few_neighbours(double ratio, const std::string& name) {
 }
 
 /// A sentence if particles of two phases that see each other start nearer than 0.3 of their mean spacing, or an empty
-/// one.
-///
-/// Throws Error where two are nearer than a thousandth of it: no force along their line of centres can part them.
+/// one. No error, even where they coincide: phases that drag or heat each other may well be in the same place.
 /// @param link the phases' link, @param engine the scene it belongs to, @param origin of its coordinates, m
 template <class Link, class Engine, class Origin>
 std::string warning_of_overlap(const Link& link, const Engine& engine, const Origin& origin) {
@@ -67,13 +65,11 @@ std::string warning_of_overlap(const Link& link, const Engine& engine, const Ori
                            origin[static_cast<std::size_t>(d)]);
         return at;
     };
-    const std::string names = text(type_name<typename Link::A>(), " and ", type_name<typename Link::B>()),
-                      where = text("; one pair is ", least, " m apart, ", least / spacing,
-                                   " of their mean spacing, at (", place(a, i), ") m");
-    require(least >= 1e-3 * spacing, names, " overlap", where, ". Leave out the particles of one where the other is: ",
-            "`fill(a - b, spacing)` for shapes, `remove_if` for particles");
-    return text(names, " start close to each other", where,
-                ". What pushes them apart may throw them; half a spacing from face to face is usual");
+    return text(type_name<typename Link::A>(), " and ", type_name<typename Link::B>(),
+                " overlap at the start: one pair is ", least, " m apart, ", least / spacing,
+                " of their mean spacing, at (", place(a, i), ") m. What pushes them apart may throw them; half a ",
+                "spacing from face to face is usual. `fill(a - b, spacing)` and `remove_if` leave out what is in the ",
+                "other's way");
 }
 
 } // namespace imbibe::detail

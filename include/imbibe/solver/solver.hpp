@@ -276,7 +276,7 @@ public:
     }
     /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
     /// by itself.
-    /// @throws Error for a scene without particles, coefficients out of range, or coupled phases that start overlapped
+    /// @throws Error for a scene without particles or coefficients out of range
     void prepare();
 
 private:
