@@ -27,7 +27,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Water falls onto an elastic sponge and drains through its pores."};
     sph::example::add_method_options(app, composition, precision);
     sph::example::add_case_options(app, numbers);
-    app.add_option("--accuracy", accuracy, "draft, standard or reference, sound composition: how fine the water is (docs/accuracy.md)")
+    app.add_option("--accuracy", accuracy,
+                   "draft, standard or reference, sound composition: how fine the water is (docs/accuracy.md)")
         ->check(CLI::IsMember({"draft", "standard", "reference"}))
         ->excludes("--water-spacing")
         ->excludes("--support-ratio");
@@ -36,7 +37,8 @@ int main(int argc, char** argv) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
-    app.add_option("--checkpoints", output.checkpoint_interval, "wall time between checkpoints, s; 0: one after every step")
+    app.add_option("--checkpoints", output.checkpoint_interval,
+                   "wall time between checkpoints, s; 0: one after every step")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--restart", output.restart,

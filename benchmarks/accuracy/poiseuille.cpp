@@ -11,11 +11,11 @@
 namespace cost {
 namespace {
 
-using validation::plates::Oil, validation::plates::OnPlates, validation::plates::Plates;
+using validation::plates::gap, validation::plates::nu, validation::plates::Oil, validation::plates::OnPlates, validation::plates::Plates;
 
 /// The series solution of the velocity at height y and time t, m/s.
 double plate_flow(double y, double t) {
-    constexpr double gap = 1e-3, nu = 1e-6, force = 1e-4, pi = std::numbers::pi;
+    constexpr double force = validation::plates::poiseuille.force, pi = std::numbers::pi;
     double v = force / (2 * nu) * y * (gap - y);
     for (int n = 0; n < 40; ++n)
         v -= 4 * force * gap * gap / (nu * std::pow(pi * (2 * n + 1), 3)) * std::sin(pi * y / gap * (2 * n + 1)) *
@@ -26,15 +26,16 @@ double plate_flow(double y, double t) {
 /// The error of the velocity at t = 0.1125 s, root mean square, as a share of the exact one's.
 template <class K, class Real = double, class Integrator = sph::SymplecticEuler>
 accuracy::Outcome plates(const accuracy::Choices& choose) {
-    constexpr double gap = 1e-3, end = 0.1125;
+    constexpr double end = 0.1125;
     const double spacing = gap / choose.number("across"), length = 8 * spacing, H = choose.number("support") * spacing;
-    sph::Solver<2, Real, Integrator, Oil<K>, Plates, OnPlates<K>> scene({.gravity = {1e-4, 0},
-                                                                         .support_radius = H,
-                                                                         .cfl = choose.number("cfl"),
-                                                                         .periodic_length = {length, 0},
-                                                                         .threads = 1});
+    sph::Solver<2, Real, Integrator, Oil<K>, Plates, OnPlates<K>> scene(
+        {.gravity = {validation::plates::poiseuille.force, 0},
+         .support_radius = H,
+         .cfl = choose.number("cfl"),
+         .periodic_length = {length, 0},
+         .threads = 1});
     const sph::Box<2> between{{0, 0}, {length, gap}};
-    const auto oil = scene.add(Oil<K>{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1e-3}},
+    const auto oil = scene.add(Oil<K>{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1000 * nu}},
                                sph::fill(between, spacing), spacing);
     scene.add(Plates{{.density = 1000}},
               sph::tank(between, spacing, static_cast<int>(std::ceil(H / spacing)), sph::Sides::x), spacing);

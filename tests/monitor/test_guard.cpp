@@ -44,6 +44,19 @@ sph::Diverged thrown_by(const Run& run) {
     throw 0;
 }
 
+/// A drop somewhere in or round a box of side 1 m with walls of three layers; the scene takes one short step, and a guard
+/// looks at it.
+template <int dim>
+void drop_at(const sph::Point<dim>& x) {
+    sph::Solver<dim, float, sph::SymplecticEuler, Water, Tank, Sides> scene({.support_radius = 2.6 * dx});
+    const sph::Point<dim> low = sph::Point<dim>::Zero(), high = sph::Point<dim>::Ones();
+    scene.add(Water{{.density = 1000, .sound_speed = 40}}, {x}, dx);
+    scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<dim>(low, high), dx, 3), dx);
+    sph::Guard<dim> guard;
+    scene.step(1e-9);
+    guard.look(scene);
+}
+
 struct Stone : sph::Fluid<> {};
 using Flight = sph::Solver<2, double, sph::SymplecticEuler, Stone>;
 
@@ -133,38 +146,20 @@ TEST_CASE("A guard names the particle that is wrong", "[guard]") {
 }
 
 TEST_CASE("A guard notices a particle that is on its way through a wall, and none that stands in a corner", "[guard]") {
-    // Walls of three layers are around [0, 1]^2; a drop is put somewhere, and the scene takes one short step.
-    const auto drop_at = [](double x, double y) {
-        Pool scene({.support_radius = 2.6 * dx});
-        scene.add(Water{{.density = 1000, .sound_speed = 40}}, {{x, y}}, dx);
-        scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {1, 1}), dx, 3), dx);
-        sph::Guard<2> guard;
-        scene.step(1e-9);
-        guard.look(scene);
-    };
-    CHECK_NOTHROW(drop_at(0.5, dx / 2));          // at a wall, as a layer of water
-    CHECK_NOTHROW(drop_at(0.5, -0.1 * dx));       // pressed a little behind its face
-    CHECK_NOTHROW(drop_at(-0.2 * dx, -0.2 * dx)); // pressed into a corner
+    CHECK_NOTHROW(drop_at<2>({0.5, dx / 2}));                  // at a wall, as a layer of water
+    CHECK_NOTHROW(drop_at<2>({0.5, -0.1 * dx}));               // pressed a little behind its face
+    CHECK_NOTHROW(drop_at<2>({-0.2 * dx, -0.2 * dx}));         // pressed into a corner
     for (const double depth : {1.0, 1.3, 1.6, 2.0}) {
-        const auto error = thrown_by([&] { drop_at(0.5, -depth * dx); });
+        const auto error = thrown_by([&] { drop_at<2>({0.5, -depth * dx}); });
         CHECK(error.cause == sph::Cause::inside_wall);
         CHECK_THAT(error.what(), contains("Water") && contains("Tank") && contains("inside"));
         CHECK(error.position[1] == Approx(-depth * dx).epsilon(1e-5));
     }
 }
 
-TEST_CASE("In space, too, and where the particle has just left a periodic side", "[guard]") {
-    const auto drop_at = [](double x, double y, double z) {
-        constexpr double spacing = 0.1;
-        sph::Solver<3, float, sph::SymplecticEuler, Water, Tank, Sides> scene({.support_radius = 2.6 * spacing});
-        scene.add(Water{{.density = 1000, .sound_speed = 40}}, {{x, y, z}}, spacing);
-        scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<3>({0, 0, 0}, {1, 1, 1}), spacing, 3), spacing);
-        sph::Guard<3> guard;
-        scene.step(1e-9);
-        guard.look(scene);
-    };
-    CHECK_NOTHROW(drop_at(-0.02, -0.02, -0.02)); // a fifth of a spacing behind each of three walls
-    CHECK(thrown_by([&] { drop_at(0.5, 0.5, -0.15); }).cause == sph::Cause::inside_wall);
+TEST_CASE("A guard notices it in space, too, and where the particle has just left a periodic side", "[guard]") {
+    CHECK_NOTHROW(drop_at<3>({-0.2 * dx, -0.2 * dx, -0.2 * dx})); // a fifth of a spacing behind each of three walls
+    CHECK(thrown_by([&] { drop_at<3>({0.5, 0.5, -1.5 * dx}); }).cause == sph::Cause::inside_wall);
 
     Pool scene({.support_radius = 2.6 * dx, .periodic_length = {1, 0}, .search_interval = 100});
     const auto drop = scene.add(Water{{.density = 1000, .sound_speed = 40}}, {{0.9995, -1.5 * dx}}, dx);

@@ -1,9 +1,10 @@
 // What is looked at before a scene runs: do the terms agree with their coefficients and materials, is a phase's support
-// radius wide enough, and are the phases where they can push on each other?
+// radius wide enough, and do coupled phases overlap?
 #pragma once
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
+#include <imbibe/geometry/point.hpp>
 
 #include <string>
 
@@ -53,21 +54,20 @@ std::string warning_of_overlap(const Link& link, const Engine& engine, const Ori
     if (!(pairs.nearest(engine.threads) < 0.3 * spacing))
         return {};
     int i = 0; // of the nearest pair
+    double least = pairs.nearest_of(0).second;
     for (int k = 1; k < a.size(); ++k)
-        if (pairs.nearest_of(k).second < pairs.nearest_of(i).second)
+        if (const double distance = pairs.nearest_of(k).second; distance < least) {
             i = k;
-    const double least = pairs.nearest_of(i).second;
-    const auto place = [&](const auto& s, int k) {
-        std::string at;
-        for (int d = 0; d < Engine::dimension; ++d)
-            at += text(d == 0 ? "" : ", ",
-                       static_cast<double>(s.points().x[static_cast<std::size_t>(d)][k]) +
-                           origin[static_cast<std::size_t>(d)]);
-        return at;
-    };
+            least = distance;
+        }
+    Point<Engine::dimension> place;
+    for (int d = 0; d < Engine::dimension; ++d) {
+        const auto axis = static_cast<std::size_t>(d);
+        place[d] = static_cast<double>(a.points().x[axis][i]) + origin[axis];
+    }
     return text(type_name<typename Link::A>(), " and ", type_name<typename Link::B>(),
                 " overlap at the start: one pair is ", least, " m apart, ", least / spacing,
-                " of their mean spacing, at (", place(a, i), ") m. What pushes them apart may throw them; half a ",
+                " of their mean spacing, at ", point_text<Engine::dimension>(place), ". What pushes them apart may throw them; half a ",
                 "spacing from face to face is usual. `fill(a - b, spacing)` and `remove_if` leave out what is in the ",
                 "other's way");
 }
