@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
                      .periodic_length = {side, side, 0},
                      .search_interval = 4});
         Preset::Water water{{.density = 1000, .sound_speed = 10 * fall, .viscosity = 1e-3}};
-        water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
+        Preset::set_coefficients(water);
         const double low = cell + gap;
         const auto pool = scene.add(water, sph::fill(sph::Box<3>{{0, 0, low}, {side, side, low + depth}}, dx), dx);
         const auto shape = sph::gyroid(sph::Box<3>{{0, 0, 0}, {side, side, cell}}, cell, fraction);
@@ -44,8 +44,7 @@ int main(int argc, char** argv) {
                                                       .support_radius = 2 * fine}},
                                       sph::fill(shape, fine), fine);
         scene.hold(sponge, [&](const auto& x) { return x[2] < 2 * fine; });
-        scene.coupling<Preset::Contact>().set(sph::PressureExtrapolationParameters{.suction = false});
-        scene.coupling<Preset::Contact>().set(sph::KernelRepulsionParameters{.stiffness = 1e3, .range = 0.7});
+        Preset::set_coefficients(scene.coupling<Preset::Contact>());
         std::printf("%s", sph::describe(scene).c_str());
 
         // What has gone through, and how far the sponge is pressed down meanwhile

@@ -17,10 +17,7 @@ struct SoundCoupling {
     using Contact = Preset::Contact;
     static constexpr double body_support = 2, gap = 0;
     static void set(Body&) {}
-    static void set(Contact& contact) {
-        contact.set(sph::PressureExtrapolationParameters{.suction = false});
-        contact.set(sph::KernelRepulsionParameters{.stiffness = 1e3, .range = 0.7});
-    }
+    static void set(Contact& contact) { Preset::set_coefficients(contact); }
 };
 
 /// The Riemann fluid on a total-Lagrangian solid.

@@ -23,21 +23,22 @@ struct WeaklyCompressible {
     static constexpr const char* name = "weakly compressible";
     using Integrator = sph::SymplecticEuler;
     static constexpr double support = 2.6, gap = 0; // H and the distance of water from a wall, in spacings
-    using Water = sph::presets::SoundSponge::Water;
-    using Tank = sph::presets::SoundSponge::Vessel;
-    using Sides = sph::presets::SoundSponge::Sides;
-    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02}); }
-    static void set(Sides& sides) {
-        sides.set(sph::PressureExtrapolationParameters{.suction = false});
-        sides.set(sph::KernelRepulsionParameters{.stiffness = 1e3, .range = 0.8});
-    }
+    using Preset = sph::presets::SoundSponge;
+    using Water = Preset::Water;
+    using Tank = Preset::Vessel;
+    using Sides = Preset::Sides;
+    static void set(Water& water) { Preset::set_coefficients(water); }
+    static void set(Sides& sides) { Preset::set_coefficients(sides); }
 };
 
-/// The same with Monaghan's beta, which parts what meets fast.
-struct Braked : WeaklyCompressible {
-    static constexpr const char* name = "weakly compressible, beta = 1";
+/// The same without Monaghan's beta and without the guard within the water: nothing parts what meets fast.
+struct Unbraked : WeaklyCompressible {
+    static constexpr const char* name = "weakly compressible without beta and guard";
     using WeaklyCompressible::set;
-    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }
+    static void set(Water& water) {
+        water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
+        water.set(sph::KernelRepulsionParameters{.stiffness = 0});
+    }
 };
 
 /// The water of the dam break in the README: stiffer state, no floor under the density.

@@ -49,6 +49,10 @@ void add_limits(Table& table) {
         [](const Plan& p) { return let_go(p, 0.3, 1e8); });
     row("KernelRepulsion, K_f = 1e8, H = 1.25", "particles at rest, 0.8 supports from a plate",
         [](const Plan& p) { return let_go(p, 0.8, 1e8); });
+    row("KernelRepulsion within a phase", "pairs that meet, a tenth of the barrier",
+        [](const Plan& p) { return marbles(p, 0.1); });
+    row("KernelRepulsion within a phase", "pairs that meet, 0.7 of the barrier",
+        [](const Plan& p) { return marbles(p, 0.7); });
     row("ModifiedRepulsion, U = 20", "particles between two plates", [](const Plan& p) {
         return bounce<sph::ModifiedRepulsion>(p, 1.25, sph::ModifiedRepulsionParameters{.speed = 20, .restitution = 1});
     });

@@ -122,6 +122,32 @@ inline Outcome let_go(const Plan& plan, double near, double stiffness) {
     return march(scene, plan, watch, [&](const auto& s) { return std::vector{sph::kinetic_energy(s[row]) / stored}; });
 }
 
+struct Marbles : sph::Fluid<sph::KernelRepulsion<>> {};
+/// Rows of two particles each that meet head-on, again and again, on a ring: a repulsion within a phase, alone. They have
+/// `share` of the energy that it takes to come through each other.
+inline Outcome marbles(const Plan& plan, double share) {
+    constexpr double H = 1.25 * dx, around = 8 * dx, stiffness = 1e6, volume = dx * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, Marbles> scene(
+        {.support_radius = H, .periodic_length = {around, 0}, .threads = 1});
+    std::vector<sph::Point<2>> points;
+    for (int row = 0; row < 12; ++row) // out of sight of each other, and not in step
+        for (const double x : {0.03 * row, 4.0 - 0.03 * row})
+            points.push_back({x * dx, 2 * row * dx});
+    Marbles material{{.density = 1000, .sound_speed = 1e6}};
+    material.set(sph::KernelRepulsionParameters{.stiffness = stiffness});
+    const auto all = scene.add(material, points, dx);
+    const double barrier = stiffness * volume * volume * sph::kernel_value<sph::Spiky, 2>(0.0, H);
+    const double speed = std::sqrt(share * barrier / (1000 * volume)); // of each: m v^2 is what a pair has
+    for (int i = 0; i < static_cast<int>(points.size()); ++i)
+        scene[all][sph::velocity](i, 0) = i % 2 == 0 ? speed : -speed;
+    Growth growth;
+    const Watch<2> watch{.end = 40 * around / speed,
+                         .guard = {.energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"kinetic energy over that at the start", 1.5}},
+                         .every = 1};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[all])}; });
+}
+
 /// dv_a/dt = - k x_a: a spring to the origin.
 struct Spring {
     static constexpr double k = 1e6;   // 1/s^2

@@ -1,4 +1,5 @@
 // What accuracy costs in a case of one's own: a wave of shear that viscosity damps, by spacing, kernel and support.
+#include <imbibe/accuracy/study.hpp>
 #include <imbibe/imbibe.hpp>
 
 #include <cstdio>

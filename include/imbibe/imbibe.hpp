@@ -1,5 +1,5 @@
 // imbibe: smoothed particle hydrodynamics of water, elastic solids, and how they push on each other.
-// This header brings everything but the presets.
+// This header brings everything but the presets and the studies of accuracy.
 #pragma once
 
 /// @namespace imbibe
@@ -17,7 +17,6 @@
 /// @namespace imbibe::rules
 /// The rules that a scene must keep. Their names stand in the compiler's error where one is broken.
 
-#include <imbibe/accuracy/study.hpp>
 #include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/coupling/modified_repulsion.hpp>
 #include <imbibe/coupling/surface_normal.hpp>

@@ -1,6 +1,7 @@
 // The accuracy study: which runs it makes, what it measures, and which it puts on the front.
 #include <catch_shim.hpp>
 
+#include <imbibe/accuracy/study.hpp>
 #include <imbibe/imbibe.hpp>
 
 #include <chrono>

@@ -5,11 +5,11 @@
 #include <imbibe/geometry/distinct.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/foam.hpp>
-#include <imbibe/geometry/paper_slab.hpp>
 #include <imbibe/geometry/passage.hpp>
 #include <imbibe/geometry/pore_report.hpp>
 #include <imbibe/geometry/pores.hpp>
 #include <imbibe/geometry/triply_periodic.hpp>
+#include <imbibe/presets/paper_slab.hpp>
 
 #include <limits>
 #include <numbers>
@@ -121,7 +121,7 @@ TEST_CASE("The paper's slab has the paper's numbers of particles") {
     for (const Row& row :
          {Row{0.5e-3, 43650, 43696}, Row{1e-3, 41400, 41533}, Row{1.5e-3, 38250, 37978}, Row{2e-3, 33300, 33160}}) {
         for (const Point<3>& lower : {Point<3>{0, 0, 0}, Point<3>{-17.5e-3, -17.5e-3, 30e-3}, Point<3>{1, 2, 3}}) {
-            const auto points = paper_slab_particles({.pore_radius = row.radius, .lower = lower});
+            const auto points = presets::paper_slab_particles({.pore_radius = row.radius, .lower = lower});
             CHECK(points.size() == row.here);
             const double size = static_cast<double>(points.size());
             CHECK(size == Approx(static_cast<double>(row.paper)).epsilon(0.0075));
@@ -129,17 +129,17 @@ TEST_CASE("The paper's slab has the paper's numbers of particles") {
         }
         // Symmetric about the middle of x; a strip of one row is a fifth.
         double mean = 0;
-        for (const auto& point : paper_slab_particles({.pore_radius = row.radius}))
+        for (const auto& point : presets::paper_slab_particles({.pore_radius = row.radius}))
             mean += (point[0] - 17.5e-3) / static_cast<double>(row.here);
         CHECK(std::abs(mean) < 1e-12);
-        CHECK(paper_slab_particles({.pore_radius = row.radius, .rows = 1}).size() * 5 == row.here);
+        CHECK(presets::paper_slab_particles({.pore_radius = row.radius, .rows = 1}).size() * 5 == row.here);
     }
-    const auto points = paper_slab_particles();
+    const auto points = presets::paper_slab_particles();
     CHECK(points.front().isApprox(Point<3>(0.25e-3, 0.25e-3, 0)));
     CHECK(points.back().isApprox(Point<3>(34.75e-3, 34.75e-3, 4e-3)));
-    CHECK_THROWS_WITH(paper_slab({.rows = 0}), contains("rows = 0"));
-    CHECK_THROWS_WITH(paper_slab({.pore_radius = 4e-3}), contains("run into each other"));
-    CHECK_THROWS_WITH(paper_slab({.spacing = 0}), contains("spacing = 0 m"));
+    CHECK_THROWS_WITH(presets::paper_slab({.rows = 0}), contains("rows = 0"));
+    CHECK_THROWS_WITH(presets::paper_slab({.pore_radius = 4e-3}), contains("run into each other"));
+    CHECK_THROWS_WITH(presets::paper_slab({.spacing = 0}), contains("spacing = 0 m"));
 }
 
 TEST_CASE("The widest ball that passes a straight pore is the pore's width") {
@@ -304,7 +304,7 @@ TEST_CASE("Foam refuses bad input") {
 
 TEST_CASE("Pores too narrow for particles are reported in a sentence") {
     const auto at = [](double radius, double spacing) {
-        return pore_report(paper_slab({.pore_radius = radius}), spacing);
+        return pore_report(presets::paper_slab({.pore_radius = radius}), spacing);
     };
     const auto closed = at(0.5e-3, 0.8e-3);
     CHECK(closed.grade == PoreGrade::closed);

@@ -14,6 +14,9 @@
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
+#include <imbibe/time/midpoint_runge_kutta.hpp>
+#include <imbibe/time/predictor_corrector.hpp>
+#include <imbibe/time/staggered_leapfrog.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
@@ -60,6 +63,28 @@ constexpr bool anyone_stores(auto field) {
     return [field]<class... P>(sph::TypeList<P...>) {
         return (stores<P, Composition>(field) || ...);
     }(typename Composition::Phases{});
+}
+
+TEST_CASE("The costs of a scene are those of the evaluations that its integrator makes", "[effects]") {
+    const auto with = []<class Integrator>(Integrator) {
+        return sph::Costs<sph::Solver<3, float, Integrator, Viscous>>{};
+    };
+    using Euler = decltype(with(sph::SymplecticEuler{}));
+    CHECK(Euler::sweeps<Viscous> == Costs<Viscous>::sweeps<Viscous>);
+    CHECK(Euler::loads<Viscous, Viscous> == Costs<Viscous>::loads<Viscous, Viscous>);
+    // Densities and forces each in a sweep of their own, as before, but in two passes: the equation of state is
+    // in the second only.
+    using Staggered = decltype(with(sph::StaggeredLeapfrog{}));
+    CHECK(Staggered::sweeps<Viscous> == 2);
+    CHECK(Staggered::loads<Viscous, Viscous> == Euler::loads<Viscous, Viscous>);
+    // Rates and forces of one moment share a sweep.
+    using Once = decltype(with(sph::PredictorCorrector{}));
+    CHECK(Once::sweeps<Viscous> == 1);
+    CHECK(Once::loads<Viscous, Viscous> < Euler::loads<Viscous, Viscous>);
+    using Twice = decltype(with(sph::MidpointRungeKutta{}));
+    CHECK(Twice::sweeps<Viscous> == 2);
+    CHECK(Twice::loops == 2 * Once::loops);
+    CHECK(Twice::numbers<Viscous> == Once::numbers<Viscous>);
 }
 
 TEST_CASE("A fluid without viscosity stores and computes nothing viscous", "[effects]") {

@@ -125,6 +125,17 @@ TEST_CASE("the limit of the repulsion is that of the notes for Spiky") {
           Approx(repulsion_limit_by_notes<2>(1000 * Af, 0.3, 1e8, Af, As, 950 * As)).epsilon(1e-5));
 }
 
+TEST_CASE("the limit of the repulsion within a phase is that of its stiffest pair") {
+    const double V = std::pow(8e-4, 3), K = 1e4;
+    for (const double range : {0.0, 0.7}) { // k = K V V 90/(pi H^5)
+        const double reach = range > 0 ? range * 8e-4 : H, k = K * V * V * 90 / (pi * std::pow(reach, 5));
+        const TimeStepInput in{H, 8e-4, 0.3, 0, 3, 0, 0};
+        CHECK(KernelRepulsion<>::time_step_limit(water(), in, {.stiffness = K, .range = range}) ==
+              Approx(std::sqrt(1000 * V / k)).epsilon(1e-3));
+        CHECK(std::isinf(KernelRepulsion<>::time_step_limit(water(), in, {.stiffness = 0, .range = range})));
+    }
+}
+
 TEST_CASE("the limit of the repulsion knows how near a pair is") {
     const double Vf = std::pow(8e-4, 3), Vs = std::pow(5e-4, 3), K = 1e6,
                  m = 950 * Vs * 1000 * Vf / (950 * Vs + 1000 * Vf);

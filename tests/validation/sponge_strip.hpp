@@ -25,19 +25,21 @@ inline SpongeCase strip(double pore_radius) {
     return c;
 }
 
-/// The share of the water particles nearer than half a spacing to a particle of the sponge.
-template <class Water, class Sponge>
-double share_in_the_sponge(const Water& water, const Sponge& sponge, const SpongeCase& c) {
+/// The share of the water particles nearer than half a spacing to a particle of the other phase, or, where that is the
+/// water, to another one of their own. Pairs across the periodic sides are not seen.
+template <class Water, class Other>
+double share_near(const Water& water, const Other& other, const SpongeCase& c) {
     const double near = c.water_spacing / 2;
     std::map<std::array<int, 3>, std::vector<int>> cells;
     const auto cell = [&](const auto& x, int i) {
         return std::array<int, 3>{int(std::floor(x(i, 0) / near)), int(std::floor(x(i, 1) / near)),
                                   int(std::floor(x(i, 2) / near))};
     };
-    const auto x = sponge[sph::position];
-    for (int i = 0; i < sponge.size(); ++i)
+    const auto x = other[sph::position];
+    for (int i = 0; i < other.size(); ++i)
         cells[cell(x, i)].push_back(i);
     const auto w = water[sph::position];
+    const bool itself = x.data() == w.data();
     int inside = 0;
     for (int i = 0; i < water.size(); ++i) {
         const auto at = cell(w, i);
@@ -46,7 +48,7 @@ double share_in_the_sponge(const Water& water, const Sponge& sponge, const Spong
             const auto there = cells.find({at[0] + k % 3 - 1, at[1] + k / 3 % 3 - 1, at[2] + k / 9 - 1});
             if (there != cells.end())
                 found = std::any_of(there->second.begin(), there->second.end(),
-                                    [&](int j) { return (x.row(j) - w.row(i)).norm() < near; });
+                                    [&](int j) { return !(itself && i == j) && (x.row(j) - w.row(i)).norm() < near; });
         }
         inside += found;
     }
@@ -61,6 +63,7 @@ struct Seen {
     double off_later = 0;   ///< the same from 30 ms after the impact on
     double lightest = 1e300, densest = 0; ///< of all particles of the water at any moment, kg/m^3
     double in_the_sponge = 0;             ///< the greatest share nearer than half a spacing to the sponge
+    double in_pairs = 0;                  ///< the greatest share nearer than that to another particle of the water
     double beyond_the_walls = 0;          ///< how far water was outside the tank, m
     int lost = 0;                         ///< particles neither in the scene nor drained
 };
@@ -102,7 +105,8 @@ Seen run(const SpongeCase& c, double end) {
                 seen.off_later = std::max(seen.off_later, double(off) / water.size());
             seen.lightest = std::min(seen.lightest, double(rho.minCoeff()));
             seen.densest = std::max(seen.densest, double(rho.maxCoeff()));
-            seen.in_the_sponge = std::max(seen.in_the_sponge, share_in_the_sponge(water, sponge, c));
+            seen.in_the_sponge = std::max(seen.in_the_sponge, share_near(water, sponge, c));
+            seen.in_pairs = std::max(seen.in_pairs, share_near(water, water, c));
             if (s.time() < 0.055)
                 seen.peak = std::max(seen.peak, mean);
             if (s.time() > 0.6 * end) {

@@ -1,10 +1,10 @@
 // The sponge of the paper on one row of pores, under 14 mm of water: what must hold on the way to the full slab.
 // tests/validation/long has it longer, and with all pores.
 //
-// The bars were set from prototypes of the same scene before these runs. Four were moved to what the runs showed: 0.8
-// instead of 0.85 drained through pores of 2 mm; 5 % instead of none of the water off by over 2 % in density in the
-// instant of the impact; a tenth of a spacing (seen: 0.03) instead of nothing beyond the face of the walls; and a first
-// peak that is the same within 5 % for all pores instead of growing with them.
+// The bars were set from prototypes of the same scene before these runs. Three were moved to what the runs showed: 5 %
+// instead of none of the water off by over 2 % in density in the instant of the impact; a tenth of a spacing (seen:
+// 0.03) instead of nothing beyond the face of the walls; and a first peak that is the same within 5 % for all pores
+// instead of growing with them.
 #include "sponge_strip.hpp"
 
 #include <catch_shim.hpp>
@@ -91,11 +91,12 @@ TEST_CASE("The sponge on a strip, sound composition", "[sponge]") {
         CHECK(seen.beyond_the_walls <
               0.1 * strip(0).water_spacing); // of the half that the walls' first particles lie back
         CHECK(seen.in_the_sponge <= 1e-3);
+        CHECK(seen.in_pairs <= 1e-3); // 0.3 without the guard within the water
         CHECK(seen.off_density <= 0.05); // all in the first instant of the impact, when pressure is that of sound
     }
     const Seen &closed = runs[0.5], &open = runs[2];
     CHECK(closed.drained.back() < 0.01);
-    CHECK(open.drained.back() > 0.8);
+    CHECK(open.drained.back() > 0.85);
     CHECK(open.late_mean < closed.late_mean);
     // From 50 ms after the impact on, more has gone through the wider pores.
     for (std::size_t k = 0; k < runs[1].times.size(); ++k)

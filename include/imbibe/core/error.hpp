@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -16,20 +17,57 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+namespace detail {
+
+/// A part of a text: where it is, and how a stream prints what is there. What joins the parts is compiled once with it,
+/// instead of once for every list of types.
+class TextPart {
+public:
+    TextPart(std::string_view words) : words_(words) {}
+    TextPart(const char* words) : words_(words) {}
+    TextPart(const std::string& words) : words_(words) {}
+    /// Anything that a stream prints.
+    template <class T>
+    TextPart(const T& value)
+        : value_(&value), print_([](std::ostream& out, const void* where) { out << *static_cast<const T*>(where); }) {}
+
+    friend std::ostream& operator<<(std::ostream& out, const TextPart& part) {
+        if (part.print_ == nullptr)
+            return out << part.words_;
+        part.print_(out, part.value_);
+        return out;
+    }
+
+private:
+    std::string_view words_;
+    const void* value_ = nullptr;
+    void (*print_)(std::ostream&, const void*) = nullptr;
+};
+
+[[gnu::cold, gnu::noinline]] inline std::string joined(std::initializer_list<TextPart> parts) {
+    std::ostringstream out;
+    out.precision(6);
+    for (const TextPart& part : parts)
+        out << part;
+    return out.str();
+}
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::initializer_list<TextPart> parts) {
+    throw Error(joined(parts));
+}
+
+} // namespace detail
+
 /// Concatenates its arguments as an output stream would print them: the text of an Error.
 template <class... Parts>
 [[nodiscard]] std::string text(const Parts&... parts) {
-    std::ostringstream out;
-    out.precision(6);
-    (out << ... << parts);
-    return out.str();
+    return detail::joined({parts...});
 }
 
 /// Throws Error with the concatenated parts unless `condition` holds.
 template <class... Parts>
 void require(bool condition, const Parts&... parts) {
     if (!condition)
-        throw Error(text(parts...));
+        detail::refuse({parts...});
 }
 
 /// Throws Error unless `value` is a finite number not below 0.

@@ -38,14 +38,16 @@ struct KernelRepulsionParameters {
 /// dv_a/dt = - K_f/m_a sum_b V_a V_b grad_a W_ab, in m/s^2, with the volumes V = m/rho. W has the support radius H of
 /// the two phases, or `range` spacings.
 ///
-/// For couplings: keeps two phases apart when the pressure alone does not. The force of the pair is along the line of
+/// In couplings: keeps two phases apart when the pressure alone does not. The force of the pair is along the line of
 /// centres, repulsive (W falls with distance), equal and opposite, to the last bit where the masses are equal.
 /// 1e8 Pa at half the support radius is 4.5e7 m/s^2 per neighbour in the paper's scene.
 ///
 /// With a `range` below 1 and a small K_f it is another tool: a guard for couplings whose pressure keeps the phases
 /// apart on average, but not every particle. Where a film or a jet of water is stretched along a surface, its density
 /// stays what it is while its particles come nearer and nearer to the surface, and in the end sink in. In the scene of
-/// the sponge 0.7 spacings keep them out, at any K_f from 1e3 to 1e5 Pa with the same outcome.
+/// the sponge 0.7 spacings keep them out, at any K_f from 1e3 to 1e5 Pa with the same outcome. Within a fluid it does
+/// the same for the particles of such a film or jet, which come nearer to each other across it and end in pairs: there
+/// it is a term of the fluid. Where nothing is out of order, it changes nothing.
 ///
 /// Not with the full range for a contact that should be accurate: the gap it leaves is near the support radius (0.93 H
 /// in the paper's scene), it depends on K_f and H, and energy goes in and out of it in each impact. Not with a kernel
@@ -72,7 +74,16 @@ struct KernelRepulsion {
     }
 
     static constexpr const char* limit_name = "repulsion stiffness";
-    /// Its limit depends on the nearest pair (TimeStepInput::nearest).
+    /// Within one phase: sqrt(m/k), s, with the mass m of a particle and the greatest stiffness k that a pair has at any
+    /// distance, which is 90 K_f V^2/(pi H^5) for Spiky in 3D: no wave along a row of particles is faster than
+    /// 2 sqrt(k/m).
+    static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
+        const double cell = std::pow(in.spacing, in.dimension), reach = reach_of(in, in.spacing, parameters);
+        const double k = energy_scale(cell, cell, reach, in.dimension, parameters) / sq(reach) *
+                         greatest_curvature(std::numeric_limits<double>::infinity());
+        return k > 0 ? std::sqrt(material.density * cell / k) : std::numeric_limits<double>::infinity();
+    }
+    /// Its limit in a coupling depends on the nearest pair (TimeStepInput::nearest).
     static constexpr bool limit_by_nearest = true;
     /// 2 sqrt(m/k), s, with the reduced mass m of a pair and its greatest stiffness k during an impact.
     ///
@@ -86,11 +97,8 @@ struct KernelRepulsion {
         const double volume_a = std::pow(in.spacing, in.dimension), mass_a = material_a.density * volume_a;
         const double volume_b = std::pow(in.other_spacing, in.dimension), mass_b = material_b.density * volume_b;
         const double energy = 0.5 * std::max(mass_a, mass_b) * sq(in.max_speed + in.other_max_speed);
-        const double normalisation =
-            in.dimension == 2 ? Kernel::template normalisation<2>() : Kernel::template normalisation<3>();
-        const double own = parameters.range * 0.5 * (in.spacing + in.other_spacing);
-        const double reach = own > 0 ? std::min(own, in.support_radius) : in.support_radius;
-        const double scale = parameters.stiffness * volume_a * volume_b * normalisation / std::pow(reach, in.dimension);
+        const double reach = reach_of(in, in.other_spacing, parameters);
+        const double scale = energy_scale(volume_a, volume_b, reach, in.dimension, parameters);
         const double taken = in.nearest < reach ? Kernel::value(in.nearest / reach) : 0.0;
         const double k = scale / sq(reach) * greatest_curvature(energy / scale + taken);
         const double reduced_mass = mass_a * mass_b / (mass_a + mass_b);
@@ -98,6 +106,20 @@ struct KernelRepulsion {
     }
 
 private:
+    // How far it reaches between particles of the first phase and others `other_spacing` apart, m.
+    static double reach_of(const TimeStepInput& in, double other_spacing, const Parameters& parameters) {
+        const double own = parameters.range * 0.5 * (in.spacing + other_spacing);
+        return own > 0 ? std::min(own, in.support_radius) : in.support_radius;
+    }
+
+    // What the kernel's shape w(q) is multiplied with in the potential of a pair, J.
+    static double energy_scale(double volume_a, double volume_b, double reach, int dimension,
+                               const Parameters& parameters) {
+        const double normalisation =
+            dimension == 2 ? Kernel::template normalisation<2>() : Kernel::template normalisation<3>();
+        return parameters.stiffness * volume_a * volume_b * normalisation / std::pow(reach, dimension);
+    }
+
     // The largest |w''(q)| from the rim q = 1 inwards to where w(q) reaches `level`, or to the centre.
     static double greatest_curvature(double level) {
         if (!(level > 0)) // nothing moves, or there is no repulsion

@@ -35,14 +35,20 @@ public:
     [[nodiscard]] bool contains(const Point<3>& point) const {
         const Point<3> offset = point - start_;
         const double along = offset.dot(axis_);
-        return along >= 0 && along <= length_ && (offset - along * axis_).squaredNorm() <= radius_ * radius_;
+        const Point<3> across = offset - along * axis_;
+        return along >= 0 && along <= length_ && across.squaredNorm() <= radius_ * radius_;
     }
 
     /// The tightest axis-aligned box: each end disc reaches r sqrt(1 - a_i^2) along coordinate i.
     [[nodiscard]] Box<3> bounds() const {
-        const Point<3> end = start_ + length_ * axis_;
-        const Point<3> reach = radius_ * (1.0 - axis_.array().square()).max(0.0).sqrt().matrix();
-        return Box<3>{start_.cwiseMin(end) - reach, start_.cwiseMax(end) + reach};
+        Point<3> lower, upper;
+        for (int i = 0; i < 3; ++i) {
+            const double end = start_[i] + length_ * axis_[i];
+            const double reach = radius_ * std::sqrt(std::max(1 - axis_[i] * axis_[i], 0.0));
+            lower[i] = std::min(start_[i], end) - reach;
+            upper[i] = std::max(start_[i], end) + reach;
+        }
+        return {lower, upper};
     }
 
 private:

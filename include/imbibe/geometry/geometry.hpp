@@ -9,7 +9,6 @@
 #include <imbibe/geometry/foam.hpp>
 #include <imbibe/geometry/half_space.hpp>
 #include <imbibe/geometry/jitter.hpp>
-#include <imbibe/geometry/paper_slab.hpp>
 #include <imbibe/geometry/passage.hpp>
 #include <imbibe/geometry/point.hpp>
 #include <imbibe/geometry/pore_report.hpp>

@@ -94,12 +94,10 @@ private:
     /// f or |f| at a point: what is compared with the level.
     [[nodiscard]] double depth(const Point<3>& point) const {
         const Point<3> phase = (point - box_.lower()) * (2 * std::numbers::pi / sponge_.cell);
-        const Eigen::Array3d c = phase.array().cos();
-        double f = c.sum();
-        if (sponge_.surface == PeriodicSurface::gyroid) {
-            const Eigen::Array3d s = phase.array().sin();
-            f = s[0] * c[1] + s[1] * c[2] + s[2] * c[0];
-        }
+        const double X = phase[0], Y = phase[1], Z = phase[2];
+        const double f = sponge_.surface == PeriodicSurface::gyroid
+                             ? std::sin(X) * std::cos(Y) + std::sin(Y) * std::cos(Z) + std::sin(Z) * std::cos(X)
+                             : std::cos(X) + std::cos(Y) + std::cos(Z);
         return sponge_.form == SolidForm::sheet ? std::abs(f) : f;
     }
 

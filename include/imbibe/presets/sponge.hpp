@@ -82,16 +82,17 @@ struct PaperSponge {
 
 /// The same scene with schemes that converge: Wendland C2 with 2.6 spacings of support, density diffusion, the
 /// volume-based pressure, walls and sponge as one kind of obstacle to the water, to which its pressure is continued
-/// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, and a total-Lagrangian
-/// St. Venant-Kirchhoff sponge with corrected gradients and hourglass control. Sound speed: ten times the speed of the
-/// fall. The sponge has a support of its own, 2 spacings: with 2.6 a plate of nine layers swings 5 % too fast, and
-/// costs twice as much.
+/// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, within the water too,
+/// and a total-Lagrangian St. Venant-Kirchhoff sponge with corrected gradients and hourglass control. Sound speed: ten
+/// times the speed of the fall. The sponge has a support of its own, 2 spacings: with 2.6 a plate of nine layers swings
+/// 5 % too fast, and costs twice as much.
 struct SoundSponge {
     static constexpr const char* name = "sound";
     /// The kernel of all terms but the guard.
     using K = WendlandC2;
+    /// To be given its coefficients by set_coefficients(), as Contact and Sides.
     struct Water : Fluid<LinearState, VolumeContinuity<K>, DensityDiffusion<K>, DensityFloor, VolumePressure<K>,
-                         MorrisViscosity<K>, MonaghanViscosity<K>> {};
+                         MorrisViscosity<K>, MonaghanViscosity<K>, KernelRepulsion<Spiky>> {};
     struct Sponge : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>,
                           HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
     struct Vessel : Wall<> {};
@@ -104,6 +105,24 @@ struct SoundSponge {
     template <class Real>
     using Scene = Solver<3, Real, SymplecticEuler, Water, Sponge, Vessel, Contact, Sides>;
 
+    /// The coefficients of the scheme, for this scene and for others made of its phases.
+    static void set_coefficients(Water& water) {
+        water.set(MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
+        // Where jets and films are drawn out, particles come nearer to each other across them: without this a fifth of
+        // the water would be in pairs. Soft, so that it neither limits the step nor throws apart what starts near.
+        water.set(KernelRepulsionParameters{.stiffness = 1e-3 * water.density * sq(water.sound_speed), .range = 0.7});
+    }
+    /// The same for water and sponge.
+    static void set_coefficients(Contact& contact) {
+        contact.set(no_suction);
+        contact.set(KernelRepulsionParameters{.stiffness = 1e3, .range = 0.7});
+    }
+    /// The same for water and walls.
+    static void set_coefficients(Sides& sides) {
+        sides.set(no_suction);
+        sides.set(KernelRepulsionParameters{.stiffness = 1e3, .range = 0.8});
+    }
+
     /// The scene with its particles. Throws Error for a number of the case that is out of range.
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
@@ -113,7 +132,7 @@ struct SoundSponge {
         const double reach = c.support_ratio * c.water_spacing, sound_speed = 10 * c.fall_speed();
         Scene<Real> scene(c.settings(reach));
         Water water{{.density = 1000, .sound_speed = sound_speed, .viscosity = c.viscosity}};
-        water.set(MonaghanViscosityParameters{.alpha = 0.02});
+        set_coefficients(water);
         scene.add(water, c.water(), c.water_spacing);
         Sponge sponge{{.density = 950,
                        .sound_speed = sound_speed_of(c.young_modulus, c.poisson_ratio, 950),
@@ -122,14 +141,14 @@ struct SoundSponge {
         const auto slab = scene.add(sponge, c.sponge(), c.solid_spacing);
         scene.hold(slab, [&](const Point<3>& x) { return c.clamped(x); });
         scene.add(Vessel{{.density = 1000}}, c.vessel(reach), c.water_spacing);
-        // Where suction is cut off, single particles would sink into the surface along which they slide.
-        const PressureExtrapolationParameters no_suction{.suction = false};
-        scene.template coupling<Contact>().set(no_suction);
-        scene.template coupling<Contact>().set(KernelRepulsionParameters{.stiffness = 1e3, .range = 0.7});
-        scene.template coupling<Sides>().set(no_suction);
-        scene.template coupling<Sides>().set(KernelRepulsionParameters{.stiffness = 1e3, .range = 0.8});
+        set_coefficients(scene.template coupling<Contact>());
+        set_coefficients(scene.template coupling<Sides>());
         return scene;
     }
+
+private:
+    // Where suction is cut off, single particles would sink into the surface along which they slide, but for the guard.
+    static constexpr PressureExtrapolationParameters no_suction{.suction = false};
 };
 
 } // namespace imbibe::presets

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <imbibe/geometry/box.hpp>
-#include <imbibe/geometry/paper_slab.hpp>
 #include <imbibe/geometry/tank.hpp>
+#include <imbibe/presets/paper_slab.hpp>
 #include <imbibe/solver/settings.hpp>
 
 namespace imbibe::presets {

@@ -206,7 +206,7 @@ struct Composition {
     /// The order of the rows of a step.
     static constexpr Plan plan = schedule(rows(StepRows{}), given | written_by(OnceRows{}));
 
-    // ---- what an integrator can ask for: rows, the plan that orders them, what they add to ----
+    // ---- what an integrator can ask for, a pass: rows, the plan that orders them, what they add to ----
     // `gravity`: does the acceleration of all phases start from gravity, or is something in it already?
 
     /// What is computed once, when the particles are there.

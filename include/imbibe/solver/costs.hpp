@@ -2,32 +2,38 @@
 // the compiler before there is a particle, so a program can assert that an effect it did not list is not paid for.
 #pragma once
 
-#include <imbibe/solver/composition.hpp>
+#include <imbibe/solver/solver.hpp>
 
 #include <cstddef>
 #include <utility>
 
 namespace imbibe {
 
-/// The costs of a composition of a scene, `Solver::Scene`, in one step: all of its terms, evaluated as SymplecticEuler
-/// does, with a search. For StaggeredLeapfrog, which evaluates them in two parts, sweeps and loads can differ.
-template <class Composition>
-class Costs;
+namespace detail {
 
-/// For the composition of a scene in `dim` dimensions with these phases and couplings.
-template <int dim, class... Items>
-class Costs<Composition<dim, Items...>> {
-    using Scene = Composition<dim, Items...>;
+/// The passes of a step: what the integrator says, or all terms at once.
+template <class Integrator, class Composition>
+struct PassesOf {
+    using type = TypeList<typename Composition::WholeStep>;
+};
+template <class Integrator, class Composition>
+requires requires { typename Integrator::template Passes<Composition>; }
+struct PassesOf<Integrator, Composition> {
+    using type = typename Integrator::template Passes<Composition>;
+};
 
+/// What the sweeps of a pass load in a composition in `dim` dimensions.
+template <int dim, class Pass>
+class PassLoads {
     template <class P, class B, bool reference, class N>
     static constexpr bool meets =
         std::is_same_v<typename N::A, P>&& std::is_same_v<typename N::B, B>&& N::reference == reference;
     template <class P, class B, bool reference, class... N>
     static constexpr int loads_from() {
         using Place = std::conditional_t<reference, ReferencePosition, Position>;
-        using Read = detail::Unique<detail::Concat<
-            TypeList<Place>, std::conditional_t<meets<P, B, reference, N>, detail::ReadsOnB<dim, N>, TypeList<>>...>>;
-        return (meets<P, B, reference, N> || ...) ? detail::component_count<dim, Read> : 0;
+        using Read = Unique<Concat<
+            TypeList<Place>, std::conditional_t<meets<P, B, reference, N>, ReadsOnB<dim, N>, TypeList<>>...>>;
+        return (meets<P, B, reference, N> || ...) ? component_count<dim, Read> : 0;
     }
     // Of one sweep: from the neighbours of now and from those of the stress-free solid.
     template <class P, class B, class... N>
@@ -36,11 +42,11 @@ class Costs<Composition<dim, Items...>> {
     }
     template <class P, class B, std::size_t k, std::size_t... r>
     static constexpr int loads_of_rows(std::index_sequence<r...>) {
-        return loads_of<P, B, detail::At<Scene::plan.steps[k].rows[r], typename Scene::StepRows>...>();
+        return loads_of<P, B, At<Pass::plan.steps[k].rows[r], typename Pass::Rows>...>();
     }
     template <class P, class B, std::size_t k>
     static constexpr int loads_of_step() {
-        constexpr Step step = Scene::plan.steps[k];
+        constexpr Step step = Pass::plan.steps[k];
         if constexpr (step.sweep)
             return loads_of_rows<P, B, k>(std::make_index_sequence<static_cast<std::size_t>(step.size)>{});
         else
@@ -52,27 +58,58 @@ class Costs<Composition<dim, Items...>> {
     }
 
 public:
+    /// How many numbers are loaded for phase P and one neighbour of phase B.
+    template <class P, class B>
+    static constexpr int
+        loads = loads_of_steps<P, B>(std::make_index_sequence<static_cast<std::size_t>(Pass::plan.size)>{});
+};
+
+/// The costs of a composition whose steps are these passes.
+template <int dim, class Scene, class Passes>
+class StepCosts;
+template <int dim, class Scene, class... Pass>
+class StepCosts<dim, Scene, TypeList<Pass...>> {
+public:
     /// How many numbers a particle of phase P stores.
     template <class P>
-    static constexpr int numbers = detail::component_count<dim, typename Scene::template FieldsOf<P>>;
+    static constexpr int numbers = component_count<dim, typename Scene::template FieldsOf<P>>;
     /// The bytes of these numbers. A scene also keeps a number that names each particle, and, for sorting, everything
     /// twice.
     template <class P, class Real>
     static constexpr std::size_t bytes = static_cast<std::size_t>(numbers<P>) * sizeof(Real);
 
     /// Rounds of a step: everything in one of them can be computed at the same time.
-    static constexpr int rounds = Scene::plan.rounds;
+    static constexpr int rounds = (Pass::plan.rounds + ...);
     /// Loops of a step, over particles or over their neighbours.
-    static constexpr int loops = Scene::plan.size;
+    static constexpr int loops = (Pass::plan.size + ...);
     /// Sweeps over the neighbours of phase P in a step.
     template <class P>
-    static constexpr int sweeps = Scene::plan.sweeps(Scene::template phase_index<P>);
+    static constexpr int sweeps = (Pass::plan.sweeps(Scene::template phase_index<P>) + ...);
 
     /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its place, once a sweep, and
     /// the fields that terms read of it, once a sweep however many terms do.
     template <class P, class B>
-    static constexpr int
-        loads = loads_of_steps<P, B>(std::make_index_sequence<static_cast<std::size_t>(Scene::plan.size)>{});
+    static constexpr int loads = (PassLoads<dim, Pass>::template loads<P, B> + ...);
 };
+
+} // namespace detail
+
+/// The costs of a scene in one step with a search. Of a `Solver` with the evaluations that its integrator makes in a
+/// step (of a fast phase of `Subcycled`: in one of its own steps); of a composition, `Solver::Scene`, with one of all of
+/// its terms, as SymplecticEuler makes.
+template <class Scene>
+class Costs;
+
+/// For the composition of a scene in `dim` dimensions with these phases and couplings.
+template <int dim, class... Items>
+class Costs<Composition<dim, Items...>>
+    : public detail::StepCosts<dim, Composition<dim, Items...>,
+                               TypeList<typename Composition<dim, Items...>::WholeStep>> {};
+
+/// For a scene with this integrator.
+template <int dim, class Real, class Integrator, class... Items>
+class Costs<Solver<dim, Real, Integrator, Items...>>
+    : public detail::StepCosts<dim, Composition<dim, Items...>,
+                               typename detail::PassesOf<Integrator, Composition<dim, Items...>>::type> {};
 
 } // namespace imbibe

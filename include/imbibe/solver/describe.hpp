@@ -1,6 +1,7 @@
 // What a scene is made of, in words: effects, fields, bytes, rounds and sweeps, neighbours, limits of the step.
 #pragma once
 
+#include <imbibe/solver/costs.hpp>
 #include <imbibe/solver/solver.hpp>
 
 #include <chrono>
@@ -58,7 +59,7 @@ std::string field_names(TypeList<F...>) {
 /// there are, and what limits the time step. Prepares the scene for its first step.
 template <class Scene>
 std::string describe(Scene& scene) {
-    using Composition = typename Scene::Scene;
+    using Costs = imbibe::Costs<Scene>;
     using Real = typename Scene::Real;
     scene.prepare();
     std::string out =
@@ -71,14 +72,14 @@ std::string describe(Scene& scene) {
                     " mm, ", State::component_total * sizeof(Real),
                     " bytes each\n    effects: ", detail::names_of(typename P::terms{}),
                     "\n    fields:  ", detail::field_names(typename Scene::template FieldsOf<P>{}),
-                    "\n    sweeps:  ", Composition::plan.sweeps(Composition::template phase_index<P>), " a step\n");
+                    "\n    sweeps:  ", Costs::template sweeps<P>, " a step\n");
     });
     const auto coupling = [&]<class C>(std::type_identity<C>) {
         out += text("  ", detail::type_name<C>(), " (", detail::type_name<typename C::First>(), ", ",
                     detail::type_name<typename C::Second>(), "): ", detail::names_of(typename C::terms{}), "\n");
     };
     [&]<class... C>(TypeList<C...>) { (coupling(std::type_identity<C>{}), ...); }(typename Scene::Couplings{});
-    out += text("Schedule: ", Composition::plan.rounds, " rounds, ", Composition::plan.size,
+    out += text("Schedule: ", Costs::rounds, " rounds, ", Costs::loops,
                 " loops\nMemory: ", static_cast<double>(engine.particle_bytes()) * 1e-6, " MB for particles, ",
                 static_cast<double>(engine.list_bytes()) * 1e-6, " MB for neighbours\n");
     engine.for_each_link([&]<class L>(const L& link) {

@@ -1,6 +1,8 @@
 // The explicit midpoint rule: Runge-Kutta of second order.
 #pragma once
 
+#include <imbibe/core/field.hpp>
+
 namespace imbibe {
 
 /// With y all that is integrated (positions, velocities, states) and f their rates:
@@ -13,6 +15,10 @@ namespace imbibe {
 /// at the rim, where compact kernels are near zero.
 /// Source: Runge (1895).
 struct MidpointRungeKutta {
+    /// What is evaluated in a step, for reports.
+    template <class Composition>
+    using Passes = TypeList<typename Composition::Rates, typename Composition::Rates>;
+
     template <class Engine>
     static void step(Engine& engine, double dt) {
         using Rates = typename Engine::Composition::Rates;

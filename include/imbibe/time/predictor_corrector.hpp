@@ -1,6 +1,8 @@
 // Predictor and corrector around the middle of the step, with one evaluation.
 #pragma once
 
+#include <imbibe/core/field.hpp>
+
 namespace imbibe {
 
 /// With y all that is integrated and f the rates of the last evaluation:
@@ -11,6 +13,10 @@ namespace imbibe {
 /// or density diffusion, and a shorter step than SymplecticEuler's.
 /// Source: Monaghan (1994), "Simulating free surface flows with SPH".
 struct PredictorCorrector {
+    /// What is evaluated in a step, for reports.
+    template <class Composition>
+    using Passes = TypeList<typename Composition::Rates>;
+
     template <class Engine>
     static void start(Engine& engine) {
         engine.template run<typename Engine::Composition::Rates>(0);

@@ -1,6 +1,8 @@
 // Leapfrog with velocities half a step from positions and states: every rate is taken in the middle of what it moves.
 #pragma once
 
+#include <imbibe/core/field.hpp>
+
 namespace imbibe {
 
 /// With states s (densities, stresses) and their rates D:
@@ -25,6 +27,10 @@ namespace imbibe {
 /// Source: the leapfrog of Hockney (1970) and of finite-difference codes on staggered grids; for its reversibility in
 /// SPH see Zhang, Rezavand and Hu (2020), whose position Verlet halves the density's step as well.
 struct StaggeredLeapfrog {
+    /// What is evaluated in a step, for reports.
+    template <class Composition>
+    using Passes = TypeList<typename Composition::Forces, typename Composition::States>;
+
     template <class Engine>
     static void step(Engine& engine, double dt) {
         engine.find_neighbours();

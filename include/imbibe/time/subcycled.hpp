@@ -38,6 +38,10 @@ template <class Fast_>
 struct Subcycled {
     /// The phase that takes short steps.
     using Fast = Fast_;
+    /// What is evaluated in a step, for reports; the terms of the fast phase in each of its own steps.
+    template <class Composition>
+    using Passes = TypeList<typename Composition::template AllButOwnTerms<Fast>,
+                            typename Composition::template OwnTerms<Fast>>;
 
     template <class Engine>
     static void start(Engine& engine) {

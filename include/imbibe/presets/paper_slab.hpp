@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace imbibe {
+namespace imbibe::presets {
 
 /// What the paper's slab is described by.
 struct PaperSlab {
@@ -29,7 +29,7 @@ struct PaperSlab {
     constexpr double pitch = 7e-3;
     require(slab.rows >= 1 && slab.rows <= 1000, "paper_slab: rows = ", slab.rows,
             " must be from 1 to 1000. The paper has 5.");
-    detail::require_positive("paper_slab", "spacing", slab.spacing, "The paper has 0.5e-3 m.");
+    imbibe::detail::require_positive("paper_slab", "spacing", slab.spacing, "The paper has 0.5e-3 m.");
     const Point<3> size{5 * pitch, slab.rows * pitch, 4e-3};
     return {Box<3>{slab.lower, slab.lower + size},
             {.count = {5, slab.rows},
@@ -55,4 +55,4 @@ struct PaperSlab {
     return fill_nodes(paper_slab(slab), slab.spacing, slab.lower + Point<3>{half, half, 0});
 }
 
-} // namespace imbibe
+} // namespace imbibe::presets
