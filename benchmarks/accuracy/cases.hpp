@@ -3,7 +3,9 @@
 
 #include <imbibe/accuracy/study.hpp>
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cost {
@@ -22,9 +24,34 @@ Rows plate(accuracy::Study study, bool quick);        ///< a plate that swings
 Rows soft_plate(accuracy::Study study, bool quick);   ///< water on a soft plate
 Rows sponge(accuracy::Study study, bool quick);       ///< one row of pores of the sponge
 
-/// Throws Error: the study has a method that the case does not know.
-[[noreturn]] inline void no_such_method(const char* scene, const std::string& method) {
-    throw sph::Error(sph::text(scene, ": there is no method '", method, "'"));
-}
+/// The methods that a case compares, by the names on their axis.
+/// @tparam Result what a run with one of them gives
+template <class Result = accuracy::Outcome>
+class Methods {
+public:
+    using Run = std::function<Result(const accuracy::Choices&)>;
+
+    Methods(std::string axis, std::vector<std::pair<std::string, Run>> known)
+        : axis_(std::move(axis)), known_(std::move(known)) {}
+
+    /// The choices on the axis.
+    Words names() const {
+        Words names;
+        for (const auto& [name, run] : known_)
+            names.push_back(name);
+        return names;
+    }
+    /// A run with the method that is chosen. Throws Error if the case does not know it.
+    Result operator()(const accuracy::Choices& choose) const {
+        for (const auto& [name, run] : known_)
+            if (name == choose[axis_])
+                return run(choose);
+        throw sph::Error(sph::text("there is no ", axis_, " '", choose[axis_], "'"));
+    }
+
+private:
+    std::string axis_;
+    std::vector<std::pair<std::string, Run>> known_;
+};
 
 } // namespace cost

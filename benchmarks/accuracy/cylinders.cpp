@@ -7,33 +7,26 @@
 namespace cost {
 namespace {
 
-accuracy::Outcome cylinders_by(const accuracy::Choices& choose) {
+template <class K, class Real = double>
+accuracy::Outcome drag(const accuracy::Choices& choose) {
     constexpr double fraction = 0.2, known = 51.53;
     const int across = static_cast<int>(choose.number("across"));
-    const double support = choose.number("support");
-    const auto outcome = [](const validation::cylinders::Flow& flow) {
-        return accuracy::Outcome{std::abs(flow.drag / known - 1), flow.pair_evaluations};
-    };
-    using validation::cylinders::flow;
-    const std::string& method = choose["method"];
-    if (method == "quintic spline")
-        return outcome(flow<sph::QuinticSpline>(across, fraction, 0, support));
-    if (method == "Wendland C2")
-        return outcome(flow<sph::WendlandC2>(across, fraction, 0, support));
-    if (method == "Wendland C4")
-        return outcome(flow<sph::WendlandC4>(across, fraction, 0, support));
-    if (method == "float")
-        return outcome(flow<sph::QuinticSpline, float>(across, fraction, 0, support));
-    no_such_method("cylinders", method);
+    const auto flow = validation::cylinders::flow<K, Real>(across, fraction, 0, choose.number("support"));
+    return {std::abs(flow.drag / known - 1), flow.pair_evaluations};
 }
+
+const Methods<> methods("method", {{"quintic spline", drag<sph::QuinticSpline>},
+                                   {"Wendland C2", drag<sph::WendlandC2>},
+                                   {"Wendland C4", drag<sph::WendlandC4>},
+                                   {"float", drag<sph::QuinticSpline, float>}});
 
 } // namespace
 
 Rows cylinders(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"12", "25"} : Words{"12", "25", "50"});
-    study.axis("method", {"quintic spline", "Wendland C2", "Wendland C4", "float"});
+    study.axis("method", methods.names());
     study.axis("support", {"3", "2.6", "3.5"});
-    return study.one_at_a_time(cylinders_by, {"across"});
+    return study.one_at_a_time(methods, {"across"});
 }
 
 } // namespace cost

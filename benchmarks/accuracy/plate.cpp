@@ -19,7 +19,7 @@ struct WithoutControl : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationG
                                    sph::TotalLagrangianForce<>, sph::Clamped> {};
 
 template <class Plate>
-accuracy::Outcome period_of(const accuracy::Choices& choose, double young_modulus = plate_case::young_modulus) {
+accuracy::Outcome period_of(const accuracy::Choices& choose, double young_modulus) {
     const auto material = plate_case::rubber<Plate>(young_modulus);
     const auto seen = plate_case::swing(
         material,
@@ -28,29 +28,27 @@ accuracy::Outcome period_of(const accuracy::Choices& choose, double young_modulu
     return {std::abs(seen.period() / 0.2552 - 1), seen.pair_evaluations};
 }
 
-accuracy::Outcome plate_by(const accuracy::Choices& choose) {
-    const std::string& method = choose["method"];
-    if (method == "St. Venant-Kirchhoff")
-        return period_of<ElasticPlate>(choose);
-    if (method == "neo-Hookean")
-        return period_of<NeoHookeanPlate>(choose);
-    if (method == "without hourglass control")
-        return period_of<WithoutControl>(choose);
-    if (method == "modulus for its layers") {
-        const int across = static_cast<int>(choose.number("across"));
-        return period_of<ElasticPlate>(choose, sph::bending_modulus(plate_case::young_modulus, across));
-    }
-    no_such_method("plate", method);
+template <class Plate>
+accuracy::Outcome period(const accuracy::Choices& choose) {
+    return period_of<Plate>(choose, plate_case::young_modulus);
 }
+accuracy::Outcome period_with_modulus_for_layers(const accuracy::Choices& choose) {
+    const int across = static_cast<int>(choose.number("across"));
+    return period_of<ElasticPlate>(choose, sph::bending_modulus(plate_case::young_modulus, across));
+}
+
+const Methods<> methods("method", {{"St. Venant-Kirchhoff", period<ElasticPlate>},
+                                   {"neo-Hookean", period<NeoHookeanPlate>},
+                                   {"without hourglass control", period<WithoutControl>},
+                                   {"modulus for its layers", period_with_modulus_for_layers}});
 
 } // namespace
 
 Rows plate(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"4", "6"} : Words{"4", "6", "10", "16"});
-    study.axis("method",
-               {"St. Venant-Kirchhoff", "neo-Hookean", "without hourglass control", "modulus for its layers"});
+    study.axis("method", methods.names());
     study.axis("support", {"1.5", "2", "2.6"});
-    return study.one_at_a_time(plate_by, {"across"});
+    return study.one_at_a_time(methods, {"across"});
 }
 
 } // namespace cost

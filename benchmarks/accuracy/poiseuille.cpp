@@ -11,7 +11,8 @@
 namespace cost {
 namespace {
 
-using validation::plates::gap, validation::plates::nu, validation::plates::Oil, validation::plates::OnPlates, validation::plates::Plates;
+using validation::plates::gap, validation::plates::nu;
+using validation::plates::Oil, validation::plates::OnPlates, validation::plates::Plates;
 
 /// The series solution of the velocity at height y and time t, m/s.
 double plate_flow(double y, double t) {
@@ -50,28 +51,20 @@ accuracy::Outcome plates(const accuracy::Choices& choose) {
     return {std::sqrt(error2 / norm2), accuracy::pair_evaluations(scene)};
 }
 
-accuracy::Outcome plates_by(const accuracy::Choices& choose) {
-    const std::string& method = choose["method"];
-    if (method == "Wendland C2")
-        return plates<sph::WendlandC2>(choose);
-    if (method == "Wendland C4")
-        return plates<sph::WendlandC4>(choose);
-    if (method == "quintic spline")
-        return plates<sph::QuinticSpline>(choose);
-    if (method == "float")
-        return plates<sph::WendlandC2, float>(choose);
-    if (method == "predictor-corrector")
-        return plates<sph::WendlandC2, double, sph::PredictorCorrector>(choose);
-    no_such_method("poiseuille", method);
-}
+const Methods<> methods("method",
+                        {{"Wendland C2", plates<sph::WendlandC2>},
+                         {"Wendland C4", plates<sph::WendlandC4>},
+                         {"quintic spline", plates<sph::QuinticSpline>},
+                         {"float", plates<sph::WendlandC2, float>},
+                         {"predictor-corrector", plates<sph::WendlandC2, double, sph::PredictorCorrector>}});
 
 } // namespace
 
 Rows poiseuille(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"10", "20"} : Words{"10", "20", "40", "80"});
-    study.axis("method", {"Wendland C2", "Wendland C4", "quintic spline", "float", "predictor-corrector"});
+    study.axis("method", methods.names());
     study.axis("support", {"2.6", "2", "3.5"}).axis("cfl", {"0.4", "0.2", "0.8"});
-    return study.one_at_a_time(plates_by, {"across"});
+    return study.one_at_a_time(methods, {"across"});
 }
 
 } // namespace cost

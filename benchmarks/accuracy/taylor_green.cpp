@@ -57,38 +57,24 @@ accuracy::Outcome vortices(const accuracy::Choices& choose) {
     return {std::sqrt(error2 / norm2), accuracy::pair_evaluations(scene)};
 }
 
-accuracy::Outcome vortices_by(const accuracy::Choices& choose) {
-    using C2 = sph::WendlandC2;
-    const std::string& method = choose["method"];
-    if (method == "delta-SPH, shifted")
-        return vortices<Shifted<C2>>(choose);
-    if (method == "without shifting")
-        return vortices<Plain<C2>>(choose);
-    if (method == "Antuono's diffusion")
-        return vortices<Antuono<C2>>(choose);
-    if (method == "Riemann")
-        return vortices<Riemann<C2>>(choose);
-    if (method == "Wendland C4")
-        return vortices<Shifted<sph::WendlandC4>>(choose);
-    if (method == "quintic spline")
-        return vortices<Shifted<sph::QuinticSpline>>(choose);
-    if (method == "float")
-        return vortices<Shifted<C2>, float>(choose);
-    if (method == "position Verlet")
-        return vortices<Shifted<C2>, double, sph::PositionVerlet>(choose);
-    if (method == "predictor-corrector")
-        return vortices<Shifted<C2>, double, sph::PredictorCorrector>(choose);
-    no_such_method("taylor-green", method);
-}
+using C2 = sph::WendlandC2;
+const Methods<> methods("method", {{"delta-SPH, shifted", vortices<Shifted<C2>>},
+                                   {"without shifting", vortices<Plain<C2>>},
+                                   {"Antuono's diffusion", vortices<Antuono<C2>>},
+                                   {"Riemann", vortices<Riemann<C2>>},
+                                   {"Wendland C4", vortices<Shifted<sph::WendlandC4>>},
+                                   {"quintic spline", vortices<Shifted<sph::QuinticSpline>>},
+                                   {"float", vortices<Shifted<C2>, float>},
+                                   {"position Verlet", vortices<Shifted<C2>, double, sph::PositionVerlet>},
+                                   {"predictor-corrector", vortices<Shifted<C2>, double, sph::PredictorCorrector>}});
 
 } // namespace
 
 Rows taylor_green(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"25", "50"} : Words{"25", "50", "100"});
-    study.axis("method", {"delta-SPH, shifted", "without shifting", "Antuono's diffusion", "Riemann", "Wendland C4",
-                          "quintic spline", "float", "position Verlet", "predictor-corrector"});
+    study.axis("method", methods.names());
     study.axis("support", {"3", "2.6", "4"}).axis("cfl", {"0.4", "0.2", "0.8"}).repeat(2);
-    return study.one_at_a_time(vortices_by, {"across"});
+    return study.one_at_a_time(methods, {"across"});
 }
 
 } // namespace cost
