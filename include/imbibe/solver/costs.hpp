@@ -5,6 +5,7 @@
 #include <imbibe/solver/solver.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace imbibe {
@@ -64,52 +65,63 @@ public:
         loads = loads_of_steps<P, B>(std::make_index_sequence<static_cast<std::size_t>(Pass::plan.size)>{});
 };
 
-/// The costs of a composition whose steps are these passes.
-template <int dim, class Scene, class Passes>
-class StepCosts;
-template <int dim, class Scene, class... Pass>
-class StepCosts<dim, Scene, TypeList<Pass...>> {
+/// What is asked for the costs of: a composition, evaluated as a whole, or a scene with an integrator.
+template <class Scene>
+struct Costed;
+template <int dim_, class... Items>
+struct Costed<Composition<dim_, Items...>> {
+    static constexpr int dim = dim_;
+    using Scene = Composition<dim, Items...>;
+    using Passes = TypeList<typename Scene::WholeStep>;
+};
+template <int dim_, class Real, class Integrator, class... Items>
+struct Costed<Solver<dim_, Real, Integrator, Items...>> {
+    static constexpr int dim = dim_;
+    using Scene = Composition<dim, Items...>;
+    using Passes = typename PassesOf<Integrator, Scene>::type;
+};
+
+} // namespace detail
+
+/// The costs of a scene in one step with a search.
+/// @tparam Scene_ a `Solver`: with the evaluations that its integrator makes in a step (of a fast phase of `Subcycled`,
+/// in one of its own steps); or a composition, `Solver::Scene`: with one of all of its terms, as SymplecticEuler makes
+template <class Scene_>
+class Costs {
+    using Scene = typename detail::Costed<Scene_>::Scene;
+    static constexpr int dim = detail::Costed<Scene_>::dim;
+    template <class F>
+    static constexpr int sum(F of_pass) {
+        return [of_pass]<class... Pass>(TypeList<Pass...>) {
+            return (of_pass(std::type_identity<Pass>{}) + ...);
+        }(typename detail::Costed<Scene_>::Passes{});
+    }
+
 public:
     /// How many numbers a particle of phase P stores.
     template <class P>
-    static constexpr int numbers = component_count<dim, typename Scene::template FieldsOf<P>>;
+    static constexpr int numbers = detail::component_count<dim, typename Scene::template FieldsOf<P>>;
     /// The bytes of these numbers. A scene also keeps a number that names each particle, and, for sorting, everything
     /// twice.
     template <class P, class Real>
     static constexpr std::size_t bytes = static_cast<std::size_t>(numbers<P>) * sizeof(Real);
 
     /// Rounds of a step: everything in one of them can be computed at the same time.
-    static constexpr int rounds = (Pass::plan.rounds + ...);
+    static constexpr int rounds = sum([]<class Pass>(std::type_identity<Pass>) { return Pass::plan.rounds; });
     /// Loops of a step, over particles or over their neighbours.
-    static constexpr int loops = (Pass::plan.size + ...);
+    static constexpr int loops = sum([]<class Pass>(std::type_identity<Pass>) { return Pass::plan.size; });
     /// Sweeps over the neighbours of phase P in a step.
     template <class P>
-    static constexpr int sweeps = (Pass::plan.sweeps(Scene::template phase_index<P>) + ...);
+    static constexpr int sweeps = sum([]<class Pass>(std::type_identity<Pass>) {
+        return Pass::plan.sweeps(Scene::template phase_index<P>);
+    });
 
     /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its place, once a sweep, and
     /// the fields that terms read of it, once a sweep however many terms do.
     template <class P, class B>
-    static constexpr int loads = (PassLoads<dim, Pass>::template loads<P, B> + ...);
+    static constexpr int loads = sum([]<class Pass>(std::type_identity<Pass>) {
+        return detail::PassLoads<dim, Pass>::template loads<P, B>;
+    });
 };
-
-} // namespace detail
-
-/// The costs of a scene in one step with a search. Of a `Solver` with the evaluations that its integrator makes in a
-/// step (of a fast phase of `Subcycled`: in one of its own steps); of a composition, `Solver::Scene`, with one of all of
-/// its terms, as SymplecticEuler makes.
-template <class Scene>
-class Costs;
-
-/// For the composition of a scene in `dim` dimensions with these phases and couplings.
-template <int dim, class... Items>
-class Costs<Composition<dim, Items...>>
-    : public detail::StepCosts<dim, Composition<dim, Items...>,
-                               TypeList<typename Composition<dim, Items...>::WholeStep>> {};
-
-/// For a scene with this integrator.
-template <int dim, class Real, class Integrator, class... Items>
-class Costs<Solver<dim, Real, Integrator, Items...>>
-    : public detail::StepCosts<dim, Composition<dim, Items...>,
-                               typename detail::PassesOf<Integrator, Composition<dim, Items...>>::type> {};
 
 } // namespace imbibe
