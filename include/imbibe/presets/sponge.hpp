@@ -127,7 +127,7 @@ struct SoundSponge {
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
         c.check();
-        if (c.search_interval == 0) // fast drops make it 2; displacements stay within 0.4 % of their peak
+        if (c.search_interval == 0) // fast drops make it 2; displacements stay within 0.5 % of their peak
             c.search_interval = 4;
         const double reach = c.support_ratio * c.water_spacing, sound_speed = 10 * c.fall_speed();
         Scene<Real> scene(c.settings(reach));
