@@ -19,8 +19,9 @@ template <class... Kit>
 Methods<> sag_with() {
     return {"coupling", {{Kit::name, sag_of<Kit>}...}};
 }
-const Methods<> methods = sag_with<couplings::Extrapolated, couplings::Riemann, couplings::AlongNormals,
-                                   couplings::ModifiedRepulsion, couplings::StiffRepulsion, couplings::ScaledRepulsion>();
+const Methods<> methods =
+    sag_with<couplings::Extrapolated, couplings::Riemann, couplings::AlongNormals, couplings::ModifiedRepulsion,
+             couplings::StiffRepulsion, couplings::ScaledRepulsion>();
 
 } // namespace
 

@@ -123,8 +123,8 @@ inline Outcome let_go(const Plan& plan, double near, double stiffness) {
 }
 
 struct Marbles : sph::Fluid<sph::KernelRepulsion<>> {};
-/// Rows of two particles each that meet head-on, again and again, on a ring: a repulsion within a phase, alone. They have
-/// `share` of the energy that it takes to come through each other.
+/// Rows of two particles each that meet head-on, again and again, on a ring: a repulsion within a phase, alone. They
+/// have `share` of the energy that it takes to come through each other.
 inline Outcome marbles(const Plan& plan, double share) {
     constexpr double H = 1.25 * dx, around = 8 * dx, stiffness = 1e6, volume = dx * dx;
     sph::Solver<2, double, sph::SymplecticEuler, Marbles> scene(

@@ -21,7 +21,8 @@ SpongeResult run_sponge(const std::string& composition, const std::string& preci
     require(single || precision == "double", "precision = ", precision, "; it must be float or double");
     numbers.check();
     if (!output.quiet)
-        std::printf("Pores: %s\n", pore_report(presets::paper_slab(numbers.slab()), numbers.water_spacing).sentence.c_str());
+        std::printf("Pores: %s\n",
+                    pore_report(presets::paper_slab(numbers.slab()), numbers.water_spacing).sentence.c_str());
     if (paper)
         return single ? run_sponge<presets::PaperSponge, float>(numbers, end, output)
                       : run_sponge<presets::PaperSponge, double>(numbers, end, output);

@@ -29,7 +29,7 @@ struct PaperSlab {
     constexpr double pitch = 7e-3;
     require(slab.rows >= 1 && slab.rows <= 1000, "paper_slab: rows = ", slab.rows,
             " must be from 1 to 1000. The paper has 5.");
-    imbibe::detail::require_positive("paper_slab", "spacing", slab.spacing, "The paper has 0.5e-3 m.");
+    detail::require_positive("paper_slab", "spacing", slab.spacing, "The paper has 0.5e-3 m.");
     const Point<3> size{5 * pitch, slab.rows * pitch, 4e-3};
     return {Box<3>{slab.lower, slab.lower + size},
             {.count = {5, slab.rows},
