@@ -8,20 +8,35 @@ void add_limits(Table& table) {
     const auto row = [&](const char* composition, const char* scene, std::function<Outcome(const Plan&)> run) {
         table.rows.push_back({"Limits", composition, scene, 0, std::move(run)});
     };
+    constexpr double disorder = 0.3; // spacings, to either side: many pairs are nearer than half a spacing
     row("LinearState, WendlandC2, H = 2.6", "shaken box",
         [](const Plan& p) { return shaken_box(p, liquid<Sound>(), 2.6); });
     row("LinearState, WendlandC2, H = 3", "shaken box",
         [](const Plan& p) { return shaken_box(p, liquid<Sound>(), 3); });
     row("LinearState, WendlandC2, H = 2.6", "shaken box in 3D",
         [](const Plan& p) { return shaken_box<Sound, 3>(p, liquid<Sound>(), 2.6); });
+    row("LinearState, WendlandC2, H = 2.6", "disordered shaken box",
+        [=](const Plan& p) { return shaken_box(p, liquid<Sound>(), 2.6, disorder); });
+    row("LinearState, WendlandC2, H = 2.6", "disordered shaken box in 3D",
+        [=](const Plan& p) { return shaken_box<Sound, 3>(p, liquid<Sound>(), 2.6, disorder); });
     row("Tait<7>, Spiky, H = 1.25", "shaken box", shaken_water<Paper>);
-    row("DensityDiffusion, delta = 1", "shaken box", [](const Plan& p) {
-        auto water = liquid<Diffusing>();
-        water.set(sph::DensityDiffusionParameters{.delta = 1});
+    row("DensityFloor, rate = 20", "shaken box", [](const Plan& p) {
+        auto water = liquid<Floored>();
+        water.set(sph::DensityFloorParameters{.rate = 20});
         return shaken_box(p, water, 2.6);
     });
-    row("MorrisViscosity", "shaken box", [](const Plan& p) { return shaken_box(p, liquid<Morris>(200), 2.6); });
-    row("ClearyViscosity", "shaken box", [](const Plan& p) { return shaken_box(p, liquid<Cleary>(200), 2.6); });
+    for (const double moved : {0.0, disorder}) {
+        const char* box = moved > 0 ? "disordered shaken box" : "shaken box";
+        row("DensityDiffusion, delta = 1", box, [=](const Plan& p) {
+            auto water = liquid<Diffusing>();
+            water.set(sph::DensityDiffusionParameters{.delta = 1});
+            return shaken_box(p, water, 2.6, moved);
+        });
+        row("MorrisViscosity", box, [=](const Plan& p) { return shaken_box(p, liquid<Morris>(200), 2.6, moved); });
+        row("ClearyViscosity", box, [=](const Plan& p) { return shaken_box(p, liquid<Cleary>(200), 2.6, moved); });
+    }
+    row("NoSlipViscosity", "shaken box between plates",
+        [](const Plan& p) { return shaken_channel<Morris, NoSlipPlates>(p, liquid<Morris>(200), 2.6); });
     row("LaminarViscosity, H = 1.25", "shaken box",
         [](const Plan& p) { return shaken_box(p, liquid<Laminar>(200), 1.25); });
     row("LaminarViscosity, H = 2.6", "shaken box",
@@ -36,6 +51,10 @@ void add_limits(Table& table) {
         auto water = liquid<Waves>();
         water.set(sph::RiemannPressureParameters{.eta = 1e6});
         return shaken_box(p, water, 3);
+    });
+    row("RiemannWallPressure, eta = 1e6", "shaken box between plates", [](const Plan& p) {
+        return shaken_channel<Sound, RiemannPlates>(p, liquid<Sound>(), 2.6,
+                                                    sph::RiemannWallPressureParameters{.eta = 1e6});
     });
     const auto repelled = [&](const char* name, double stiffness, double support) {
         row(name, "particles between two plates", [stiffness, support](const Plan& p) {

@@ -6,6 +6,8 @@
 
 #include <imbibe/coupling/modified_repulsion.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
+#include <imbibe/geometry/jitter.hpp>
+#include <imbibe/wall/no_slip.hpp>
 
 namespace stability {
 
@@ -24,8 +26,9 @@ Outcome march_shaken(auto& scene, const auto& phase, double speed, const Plan& p
 
 /// A periodic square (cube) of a material, shaken particle by particle in velocity and density.
 /// @param support H in spacings
+/// @param disorder how far the particles are from a lattice, in spacings
 template <class Phase, int dim = 2>
-Outcome shaken_box(const Plan& plan, Phase material, double support) {
+Outcome shaken_box(const Plan& plan, Phase material, double support, double disorder = 0) {
     constexpr int across = dim == 2 ? 16 : 8;
     constexpr double length = across * dx;
     using Scene = sph::Solver<dim, double, sph::SymplecticEuler, Phase>;
@@ -33,8 +36,23 @@ Outcome shaken_box(const Plan& plan, Phase material, double support) {
     settings.periodic_length.fill(length);
     Scene scene(settings);
     const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(length);
-    const auto phase = scene.add(material, sph::fill(sph::Box<dim>{lower, upper}, dx), dx);
+    const auto lattice = sph::fill(sph::Box<dim>{lower, upper}, dx);
+    const auto phase = scene.add(material, sph::jitter<dim>(lattice, disorder * dx, 1), dx);
     return march_shaken<dim>(scene, phase, 1e-4 * material.sound_speed, plan);
+}
+
+struct Plates : sph::Wall<> {};
+/// The same between two plates, periodic along them.
+template <class Phase, class Contact, class... Parameters>
+Outcome shaken_channel(const Plan& plan, Phase material, double support, const Parameters&... parameters) {
+    constexpr double across = 16 * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, Phase, Plates, Contact> scene(
+        {.support_radius = support * dx, .periodic_length = {across, 0}, .threads = 1});
+    (scene.template coupling<Contact>().set(parameters), ...);
+    const sph::Box<2> between{{0, 0}, {across, across}};
+    const auto phase = scene.add(material, sph::fill(between, dx), dx);
+    scene.add(Plates{{.density = material.density}}, sph::tank(between, dx, 3, sph::Sides::x), dx);
+    return march_shaken<2>(scene, phase, 1e-4 * material.sound_speed, plan);
 }
 
 using C2 = sph::WendlandC2;
@@ -46,7 +64,12 @@ struct Morris : Liquid<sph::MorrisViscosity<C2>> {};
 struct Cleary : Liquid<sph::ClearyViscosity<C2>> {};
 struct Laminar : Liquid<sph::LaminarViscosity<sph::ViscosityKernel2D>> {};
 struct Monaghan : Liquid<sph::MonaghanViscosity<C2>> {};
+struct Floored : Liquid<sph::DensityFloor> {};
 struct Waves : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::RiemannPressure<C2>> {};
+struct NoSlipPlates : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {
+};
+struct RiemannPlates : sph::Coupling<Sound, Plates, sph::Into<Sound, sph::RiemannWallNormal<C2>>,
+                                     sph::RiemannWallPressure<C2>, sph::Into<Sound, sph::RiemannWallContinuity<C2>>> {};
 
 template <class Phase>
 Phase liquid(double viscosity = 0) {

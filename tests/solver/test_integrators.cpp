@@ -152,7 +152,8 @@ struct Throw {
     sph::PhaseHandle<Water> water;
     sph::PhaseHandle<Rubber> rubber;
 
-    explicit Throw(double young_modulus = 1e5) : scene({.gravity = {0, -9.8}, .support_radius = 2.6 * spacing}) {
+    explicit Throw(double young_modulus = 1e5)
+        : scene({.gravity = {0, -9.8}, .support_radius = 2.6 * spacing, .cfl = 0.25}) {
         rubber = scene.add(Rubber{{.density = 900,
                                    .sound_speed = sph::sound_speed_of(young_modulus, 0.3, 900),
                                    .shear_modulus = sph::shear_modulus_of(young_modulus, 0.3)}},
@@ -195,8 +196,9 @@ TEST_CASE("Sub-cycling conserves momentum, takes long steps, and comes to the sa
           plain.scene.time_step_limits().size());
     const double end = 0.1;
     plain.scene.run_until(end);
-    cycled.scene.run_until(end);
+    cycled.scene.step();
     CHECK(cycled.scene.substeps() >= 4);
+    cycled.scene.run_until(end);
     CHECK(cycled.scene.steps() * 4 < plain.scene.steps());
     const Eigen::RowVector2d weight(0, -9.8 * cycled.total_mass() * end);
     CHECK((cycled.momentum() - before - weight).norm() < 1e-10 * before.norm());

@@ -204,8 +204,18 @@ TEST_CASE("ModifiedRepulsion stops a pair below its speed, and gives back what i
 
 TEST_CASE("ModifiedRepulsion: limits on the step and on its coefficients") {
     const TimeStepInput in{3e-3, 1e-3, 0.5, 0, 2, 1e-3, 0.25};
-    CHECK(ModifiedRepulsion::time_step_limit(liquid(), soft(), in, {.speed = 2, .range = 0.8}) ==
-          Approx(0.8e-3 / 2.75));
+    const auto limit = [&](const TimeStepInput& now) {
+        return ModifiedRepulsion::time_step_limit(liquid(), soft(), now, {.speed = 2, .range = 0.8});
+    };
+    const double depth = std::cbrt(sq(0.75 / 2));
+    CHECK(limit(in) == Approx(0.8e-3 / std::sqrt(3 * depth)));
+    TimeStepInput near = in, fast = in, still = in;
+    near.nearest = 0.4e-3; // half the range
+    CHECK(limit(near) == Approx(0.8e-3 / std::sqrt(3 * std::cbrt(0.125 + sq(0.75 / 2)))));
+    fast.max_speed = 10;
+    CHECK(limit(fast) == Approx(0.8e-3 / 10.25));
+    still.max_speed = still.other_max_speed = 0;
+    CHECK(std::isinf(limit(still)));
     CHECK(std::isinf(ModifiedRepulsion::time_step_limit(liquid(), soft(), in, {.speed = 0})));
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.speed = -1}.check("Contact")), Error);
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.range = -1}.check("Contact")), Error);

@@ -124,10 +124,10 @@ TEST_CASE("NoSlipVelocity reflects the fluid's velocity about the wall's") {
     check_reflection<3>();
 }
 
-TEST_CASE("the limit of MorrisViscosity is 0.036 H^2/nu, and infinite without viscosity") {
+TEST_CASE("the limit of MorrisViscosity is 0.055 H^2/nu, and infinite without viscosity") {
     const TimeStepInput in{4e-3, 1e-3, 1, 1, 3};
-    CHECK(MorrisViscosity<>::time_step_limit(oil(), in) == Approx(16e-6 / (28 * 0.03 / 900)).epsilon(1e-4));
-    CHECK(MorrisViscosity<>::time_step_limit(oil(), bed(), in) == Approx(16e-6 / (28 * 0.03 / 900)).epsilon(1e-4));
+    CHECK(MorrisViscosity<>::time_step_limit(oil(), in) == Approx(16e-6 / (1.3 * 14 * 0.03 / 900)).epsilon(1e-4));
+    CHECK(MorrisViscosity<>::time_step_limit(oil(), bed(), in) == Approx(16e-6 / (1.3 * 14 * 0.03 / 900)).epsilon(1e-4));
     Water inviscid = oil();
     inviscid.viscosity = 0;
     CHECK(std::isinf(MorrisViscosity<>::time_step_limit(inviscid, in)));

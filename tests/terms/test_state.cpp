@@ -43,8 +43,9 @@ TEST_CASE("Tait keeps the digits of float near the reference density") {
     CHECK(relative_error(naive, tait_by_hand(rho, 7)) > 1e-5);
 }
 
-TEST_CASE("the acoustic limit is one spacing at the fastest wave and the fastest particle") {
-    const TimeStepInput in{H, 5e-4, 2, 0, 3};
+TEST_CASE("the acoustic limit is 0.6 supports, but a spacing at least, at the fastest wave and the fastest particle") {
+    const TimeStepInput in{0.8e-3, 5e-4, 2, 0, 3}, wide{1.3e-3, 5e-4, 2, 0, 3};
+    CHECK(Tait<>::time_step_limit(water(), wide) == Approx(0.6 * 1.3e-3 / 32).epsilon(1e-12));
     CHECK(Tait<>::time_step_limit(water(), in) == Approx(5e-4 / 32).epsilon(1e-12));
     CHECK(LinearState::time_step_limit(water(), in) == Approx(5e-4 / 32).epsilon(1e-12));
     const double longitudinal = std::sqrt((950 * 31.6 * 31.6 + 4e6 / 3) / 950);

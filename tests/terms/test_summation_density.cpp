@@ -51,7 +51,7 @@ TEST_CASE("the density by summation is that of the lattice, and follows a compre
 }
 TEST_CASE("SummationFloor: its limit and its check") {
     const TimeStepInput in{3e-3, 1e-3, 1, 1, 3};
-    CHECK(SummationFloor<K>::time_step_limit(water_here(), in, {.rate = 0.5}) == Approx(1e-3 / 15));
+    CHECK(SummationFloor<K>::time_step_limit(water_here(), in, {.rate = 0.5}) == Approx(2e-3 / 15));
     CHECK_THROWS_AS(SummationFloorParameters{.rate = -1}.check("Water"), Error);
 }
 

@@ -195,7 +195,7 @@ TEST_CASE("DensityFloor lifts what is below and leaves what is above") {
     CHECK(plain(bare(p)) == Approx(10 * 30 / 1e-3));
     CHECK(plain(slow(p)) == Approx(5 * 30 / 1e-3));
     const TimeStepInput in{2.6e-3, 1e-3, 1, 1, 3};
-    CHECK(DensityFloor::time_step_limit(heavy(), in, {}) == Approx(1e-3 / 30));
+    CHECK(DensityFloor::time_step_limit(heavy(), in, {}) == Approx(2e-3 / 30));
 }
 
 } // namespace volume_pressure_test

@@ -4,6 +4,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -67,12 +68,19 @@ struct ModifiedRepulsion {
     }
 
     static constexpr const char* limit_name = "repulsion";
-    /// r_0/(U + v), s, with the greatest speeds of the two phases together, v: shorter than 2 over the frequency of a
-    /// pair, 2 r_0/(sqrt(3) U), and than the time in which a particle crosses the range.
+    /// Its limit depends on the nearest pair (TimeStepInput::nearest).
+    static constexpr bool limit_by_nearest = true;
+    /// 2 r_0/(U sqrt(3 d)), s: 2 over the frequency of a pair that is d r_0 within the range; at most r_0/v, the time in
+    /// which a particle crosses it. d is the depth, at most 1, that the nearest pair comes to with the greatest speeds of
+    /// the two phases together, v: d^3 = d_0^3 + (v/U)^2. Infinite where nothing moves and nothing is in reach.
     static double time_step_limit(const auto&, const auto&, const TimeStepInput& in, const Parameters& parameters) {
         const double reach = parameters.range * 0.5 * (in.spacing + in.other_spacing);
-        const double fastest = parameters.speed + in.max_speed + in.other_max_speed;
-        return parameters.speed > 0 && reach > 0 ? reach / fastest : std::numeric_limits<double>::infinity();
+        if (!(parameters.speed > 0 && reach > 0))
+            return std::numeric_limits<double>::infinity();
+        const double fastest = in.max_speed + in.other_max_speed;
+        const double depth_now = in.nearest < reach ? 1 - in.nearest / reach : 0.0;
+        const double depth = std::min(std::cbrt(power<3>(depth_now) + sq(fastest / parameters.speed)), 1.0);
+        return reach / std::max(0.5 * std::sqrt(3 * depth) * parameters.speed, fastest);
     }
 };
 

@@ -28,8 +28,8 @@ constexpr double harmonic_viscosity(const auto& material_a, const auto& material
 /// Not where div v matters: its limit is eta (Laplacian v + 2 grad div v)/rho. Not for particles that stay on a lattice
 /// (flow between plates), where it depends on the direction: with 3 spacings of WendlandC2 the viscosity is 11 % too
 /// low for shear along the axes of a square lattice and 11 % too high along its diagonals, with 4 spacings 4 %;
-/// MorrisViscosity, 0.3 % there, also allows a step twice as long in 2D (5/3 in 3D). Not with a kernel whose slope does
-/// not vanish at the centre (Spiky).
+/// MorrisViscosity, 0.3 % there, also allows a step 2.7 times as long. Not with a kernel whose slope does not vanish at
+/// the centre (Spiky).
 ///
 /// Source: Cleary (1998), there with a factor found by calibration, 4.96333, in the place of dim + 2; Monaghan (2005).
 /// 2 (dim + 2) is that of the integral over smooth flow. The original's 0.01 h^2 in the denominator is left out as in
@@ -48,14 +48,14 @@ struct ClearyViscosity {
     }
 
     static constexpr const char* limit_name = MorrisViscosity<Kernel>::limit_name;
-    /// dim/(dim + 2) of the limit of MorrisViscosity, s: 0.018 H^2/nu in 2D, 0.021 H^2/nu in 3D with WendlandC2.
+    /// dim/(dim + 2) of the limit of MorrisViscosity over 1.4 in 2D and 1.6 in 3D, s: 0.02 H^2/nu with WendlandC2.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return time_step_limit(material, material, in);
     }
     /// The same between two phases, with the lighter density.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
         const double eta = detail::harmonic_viscosity(material_a, material_b) * (in.dimension + 2) / in.dimension;
-        return detail::pairwise_diffusion_limit<Kernel>(eta / std::min(material_a.density, material_b.density), in);
+        return detail::central_diffusion_limit<Kernel>(eta / std::min(material_a.density, material_b.density), in);
     }
 };
 

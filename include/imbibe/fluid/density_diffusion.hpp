@@ -58,7 +58,7 @@ struct DensityDiffusion {
     using parts = Parts<Volume, Smooth>;
 
     static constexpr const char* limit_name = "density diffusion";
-    /// H/(S delta c), s, with S = 14 for WendlandC2: 2 over the fastest rate of decay, 0.7 H/c for delta = 0.1.
+    /// 2 H/(1.3 S delta c), s, with S = 14 for WendlandC2: 2 over the fastest rate of decay, 1.1 H/c for delta = 0.1.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         return detail::pairwise_diffusion_limit<Kernel>(
             parameters.delta * 0.5 * in.support_radius * material.sound_speed, in);

@@ -22,15 +22,27 @@ constexpr double pairwise_laplacian_strength() {
 }
 
 // The largest stable explicit step, s, of du_a/dt = -2 D sum_b V_b (u_a - u_b) |grad W_ab|/r_ab, which approximates
-// D times the Laplacian of u: the sum of the weights bounds the fastest decay rate by 4 D S/H^2, and a step must stay
-// below 2 over the rate.
+// D times the Laplacian of u: 2 over the fastest rate of decay, for which 2.6 D S/H^2 is taken.
+//
+// With a kernel that has no negative Fourier coefficient in one dimension, which is every one of the library whose
+// slope vanishes at the centre, |grad W|/r has none in two and three (Wendland 2005, theorem 9.4). The matrix of the
+// weights with the particles themselves is then positive, and no wave decays faster than at the rate
+// 2 D sum_b V_b |grad W_ab|/r_ab with b = a among b, the integral's 2 D S/H^2 where the particles lie in order: half of
+// what the sum alone, which counts each neighbour twice, would bound it by. 1.3 is left for disorder.
 template <class Kernel>
 double pairwise_diffusion_limit(double diffusivity, const TimeStepInput& in) {
     if (!(diffusivity > 0))
         return std::numeric_limits<double>::infinity();
     const double strength =
         in.dimension == 2 ? pairwise_laplacian_strength<Kernel, 2>() : pairwise_laplacian_strength<Kernel, 3>();
-    return in.support_radius * in.support_radius / (2 * strength * diffusivity);
+    return in.support_radius * in.support_radius / (1.3 * strength * diffusivity);
+}
+
+// The same where only the difference along the line of centres counts, dim times: waves along their own direction decay
+// faster, by up to 1.40 in 2D and 1.61 in 3D on lattices of 2 to 4 spacings a support, with any of those kernels.
+template <class Kernel>
+double central_diffusion_limit(double diffusivity, const TimeStepInput& in) {
+    return pairwise_diffusion_limit<Kernel>((in.dimension == 2 ? 1.4 : 1.6) * diffusivity, in);
 }
 
 } // namespace imbibe::detail

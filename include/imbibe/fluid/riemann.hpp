@@ -35,6 +35,10 @@ IMBIBE_INLINE constexpr T riemann_limiter(T approach, double c, double eta) {
 inline double riemann_limit(double c, const TimeStepInput& in) {
     return c > 0 ? 0.3 * in.support_radius / c : std::numeric_limits<double>::infinity();
 }
+// The same where only the difference along the line of centres counts: 3.8 c/H in 2D, 3.5 c/H in 3D.
+inline double central_riemann_limit(double c, const TimeStepInput& in) {
+    return 1.6 * riemann_limit(c, in);
+}
 
 } // namespace detail
 
@@ -99,7 +103,7 @@ struct RiemannPressure {
     using parts = Parts<Volume, Prepare, Push>;
 
     static constexpr const char* limit_name = "Riemann dissipation";
-    /// 0.3 H/(beta c), s, with beta of two particles that meet at twice the greatest speed.
+    /// 0.48 H/(beta c), s, with beta of two particles that meet at twice the greatest speed.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         return time_step_limit(material, material, in, parameters);
     }
@@ -108,7 +112,7 @@ struct RiemannPressure {
                                   const Parameters& parameters) {
         const double c = std::max(material_a.sound_speed, material_b.sound_speed);
         const double approach = in.max_speed + std::max(in.max_speed, in.other_max_speed);
-        return detail::riemann_limit(std::min(parameters.eta * approach, c), in);
+        return detail::central_riemann_limit(std::min(parameters.eta * approach, c), in);
     }
 };
 

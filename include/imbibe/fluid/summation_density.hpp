@@ -124,9 +124,9 @@ struct SummationFloor {
     using parts = Parts<SummationNeighbours<Kernel>, LatticeSum<Kernel>, Raise>;
 
     static constexpr const char* limit_name = "summation floor";
-    /// spacing/(rate c), s: a longer step would overshoot the sum.
+    /// 2 spacing/(rate c), s: after a longer step the density would be further above the sum than it was below.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
-        return in.spacing / max(parameters.rate * material.sound_speed, 1e-30);
+        return 2 * in.spacing / max(parameters.rate * material.sound_speed, 1e-30);
     }
 };
 

@@ -116,11 +116,13 @@ struct RiemannWallPressure {
     using parts = Parts<Volume, Push>;
 
     static constexpr const char* limit_name = "Riemann dissipation at the wall";
-    /// 0.3 H/(beta c), s, with beta of a particle that meets its own image.
+    /// 2 H/(3 beta c), s, with beta of a particle that meets its own image: 2 over the rate 2 beta c |sum_w V_w grad W|
+    /// at which the wall slows it down, with the 1.5/H that the sum has at the surface of a wall with WendlandC2.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                                   const Parameters& parameters) {
         const double c = std::max(material_a.sound_speed, material_b.sound_speed);
-        return detail::riemann_limit(std::min(2 * parameters.eta * (in.max_speed + in.other_max_speed), c), in);
+        const double dissipating = std::min(2 * parameters.eta * (in.max_speed + in.other_max_speed), c); // beta c
+        return dissipating > 0 ? in.support_radius / (1.5 * dissipating) : std::numeric_limits<double>::infinity();
     }
 };
 

@@ -1,0 +1,40 @@
+// Every limit of the time step against the longest step that holds, in the scenes of docs/stability.md, "Limits".
+#include <catch_shim.hpp>
+
+#include "stability/rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace {
+
+using stability::Row;
+
+// Those of which docs/stability.md says why they are longer or shorter than what holds.
+constexpr std::array explained_as_short{"Tait<7>, Spiky, H = 1.25", "DensityFloor, rate = 20", "paper's hypoelastic, nu 0.3",
+                                        "KernelRepulsion within a phase"};
+constexpr std::array explained_as_long{"a spring to the origin"};
+
+bool is_among(const auto& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+} // namespace
+
+TEST_CASE("every predicted limit holds, and steps half as long again do not") {
+    stability::Table table;
+    stability::add_limits(table);
+    int predicted = 0;
+    for (const Row& row : table.rows) {
+        CAPTURE(row.composition, row.scene);
+        const auto at = [&](double cfl) { return row.run({.cfl = cfl, .value = row.value}).stable; };
+        if (!is_among(explained_as_long, row.composition))
+            CHECK(at(0.9));
+        if (!is_among(explained_as_short, row.composition)) {
+            CHECK_FALSE(at(1.6));
+            ++predicted;
+        }
+    }
+    CHECK(predicted > 30);
+}
