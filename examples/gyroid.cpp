@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
                                                       .support_radius = 2 * fine}},
                                       sph::fill(shape, fine), fine);
         scene.hold(sponge, [&](const auto& x) { return x[2] < 2 * fine; });
-        Preset::set_coefficients(scene.coupling<Preset::Contact>());
+        Preset::set_coefficients(scene.coupling<Preset::Contact>(), water);
         std::printf("%s", sph::describe(scene).c_str());
 
         // What has gone through, and how far the sponge is pressed down meanwhile

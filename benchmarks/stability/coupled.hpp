@@ -17,7 +17,7 @@ struct SoundCoupling {
     using Contact = Preset::Contact;
     static constexpr double body_support = 2, gap = 0;
     static void set(Body&) {}
-    static void set(Contact& contact) { Preset::set_coefficients(contact); }
+    static void set(Contact& contact, const Fluid::Water& water) { Preset::set_coefficients(contact, water); }
 };
 
 /// The Riemann fluid on a total-Lagrangian solid.
@@ -31,7 +31,9 @@ struct RiemannCoupling {
                         sph::RiemannWallPressure<K>, sph::Into<Fluid::Water, sph::RiemannWallContinuity<K>>> {};
     static constexpr double body_support = 2, gap = 0;
     static void set(Body&) {}
-    static void set(Contact& contact) { contact.set(sph::RiemannWallPressureParameters{.suction = false}); }
+    static void set(Contact& contact, const Fluid::Water&) {
+        contact.set(sph::RiemannWallPressureParameters{.suction = false});
+    }
 };
 
 /// presets::PaperSponge in two dimensions.
@@ -44,7 +46,9 @@ struct PaperCoupling {
                                    Fluid::Viscosity, sph::KernelRepulsion<K>> {};
     static constexpr double body_support = 1.25, gap = 1.25;
     static void set(Body& body) { Hypoelastic::set(body); }
-    static void set(Contact& contact) { contact.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
+    static void set(Contact& contact, const Fluid::Water&) {
+        contact.set(sph::KernelRepulsionParameters{.stiffness = 1e8});
+    }
 };
 
 /// The same coupling with another integrator.
@@ -58,10 +62,11 @@ using CoupledScene = sph::Solver<2, Real, typename C::Fluid::Integrator, typenam
                                  typename C::Fluid::Tank, typename C::Contact, typename C::Fluid::Sides>;
 
 template <class C, class Real>
-CoupledScene<C, Real> coupled_scene() {
+CoupledScene<C, Real> coupled_scene(double c) {
     CoupledScene<C, Real> scene({.gravity = {0, -g}, .support_radius = C::Fluid::support * dx, .threads = 1});
-    C::Fluid::set(scene.template coupling<typename C::Fluid::Sides>());
-    C::set(scene.template coupling<typename C::Contact>());
+    const auto water = water_of<typename C::Fluid>(c);
+    C::Fluid::set(scene.template coupling<typename C::Fluid::Sides>(), water);
+    C::set(scene.template coupling<typename C::Contact>(), water);
     return scene;
 }
 template <class C, class Scene>
@@ -76,7 +81,7 @@ auto add_body(Scene& scene, const std::vector<sph::Point<2>>& points, double E, 
 template <class C, class Real = double>
 Outcome water_on_plate(const Plan& plan) {
     const double v = plan.value, c = 30;
-    auto scene = coupled_scene<C, Real>();
+    auto scene = coupled_scene<C, Real>(c);
     const auto plate = add_body<C>(scene, sph::fill(sph::Box<2>{{-15 * dx, -5 * dx}, {15 * dx, 0}}, dx), 1e6, 0.3, 950);
     scene.hold(plate, [](const auto& x) { return std::abs(x[0]) > 12 * dx; });
     auto block = sph::fill(sph::Box<2>{{-5 * dx, 0}, {5 * dx, 10 * dx}}, dx);
@@ -109,7 +114,7 @@ Outcome water_on_plate(const Plan& plan) {
 /// that the water falls: they build up the pressure of still water.
 template <class C, class Real = double>
 Outcome free_fall(const Plan& plan) {
-    auto scene = coupled_scene<C, Real>();
+    auto scene = coupled_scene<C, Real>(30);
     const auto water = add_water<typename C::Fluid>(scene, sph::fill(sph::Box<2>{{0, 0}, {8 * dx, 8 * dx}}, dx), 30);
     const auto block = add_body<C>(scene, sph::fill(sph::Box<2>{{12 * dx, 0}, {18 * dx, 6 * dx}}, dx), 1e6, 0.3, 950);
     const double end = 0.02;
@@ -132,7 +137,7 @@ template <class C, class Real = double>
 Outcome light_block(const Plan& plan) {
     constexpr double wide = 20, deep = 8, off = C::gap * dx, inner = wide * dx + 2 * off, surface = deep * dx + off;
     const double c = 10 * std::sqrt(2 * g * deep * dx), unit = std::sqrt(deep * dx / g);
-    auto scene = coupled_scene<C, Real>();
+    auto scene = coupled_scene<C, Real>(c);
     const auto water = add_water<typename C::Fluid>(scene, pool<typename C::Fluid>(wide, deep), c);
     (void)water;
     add_tank<typename C::Fluid>(scene, sph::Box<2>{{0, 0}, {inner, inner}}, c);

@@ -28,7 +28,7 @@ struct WeaklyCompressible {
     using Tank = Preset::Vessel;
     using Sides = Preset::Sides;
     static void set(Water& water) { Preset::set_coefficients(water); }
-    static void set(Sides& sides) { Preset::set_coefficients(sides); }
+    static void set(Sides& sides, const Water& water) { Preset::set_coefficients(sides, water); }
 };
 
 /// The same without Monaghan's beta and without the guard within the water: nothing parts what meets fast.
@@ -36,6 +36,7 @@ struct Unbraked : WeaklyCompressible {
     static constexpr const char* name = "weakly compressible without beta and guard";
     using WeaklyCompressible::set;
     static void set(Water& water) {
+        WeaklyCompressible::set(water);
         water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
         water.set(sph::KernelRepulsionParameters{.stiffness = 0});
     }
@@ -53,7 +54,7 @@ struct DamBreak {
     struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                  sph::Into<Water, sph::VolumeContinuity<K>>> {};
     static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }
-    static void set(Sides&) {}
+    static void set(Sides&, const Water&) {}
 };
 
 /// The same as it was before it had a beta.
@@ -69,7 +70,9 @@ struct GuardedDamBreak : UnbrakedDamBreak {
     struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                  sph::Into<Water, sph::VolumeContinuity<K>>, sph::KernelRepulsion<>> {};
     using UnbrakedDamBreak::set;
-    static void set(Sides& sides) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e5, .range = 0.8}); }
+    static void set(Sides& sides, const Water&) {
+        sides.set(sph::KernelRepulsionParameters{.stiffness = 1e5, .range = 0.8});
+    }
 };
 
 /// Riemann problems between particles and at the wall.
@@ -84,7 +87,9 @@ struct Riemann {
     struct Sides : sph::Coupling<Water, Tank, sph::Into<Water, sph::RiemannWallNormal<K>>, sph::RiemannWallPressure<K>,
                                  sph::Into<Water, sph::RiemannWallContinuity<K>>> {};
     static void set(Water&) {}
-    static void set(Sides& sides) { sides.set(sph::RiemannWallPressureParameters{.suction = false}); }
+    static void set(Sides& sides, const Water&) {
+        sides.set(sph::RiemannWallPressureParameters{.suction = false});
+    }
 };
 
 /// The paper's water and walls, as in presets::PaperSponge, with the kernel of its viscosity in two dimensions.
@@ -99,7 +104,7 @@ struct Paper {
     struct Sides : sph::Coupling<Water, Tank, sph::VolumeContinuity<K>, sph::SymmetricPressure<K>, Viscosity,
                                  sph::KernelRepulsion<K>> {};
     static void set(Water& water) { water.viscosity = 3.5e-3; }
-    static void set(Sides& sides) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
+    static void set(Sides& sides, const Water&) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
 };
 
 /// The same fluid with another integrator.
@@ -111,19 +116,24 @@ struct Integrated : F {
 template <class F, class Real>
 using FluidScene = sph::Solver<2, Real, typename F::Integrator, typename F::Water, typename F::Tank, typename F::Sides>;
 
-/// A scene of fluid F that is empty so far.
+/// The water of fluid F with a sound speed, m/s.
+template <class F>
+typename F::Water water_of(double c) {
+    typename F::Water water{{.density = 1000, .sound_speed = c}};
+    F::set(water);
+    return water;
+}
+/// A scene of fluid F with a sound speed, m/s, that is empty so far.
 template <class F, class Real>
-FluidScene<F, Real> fluid_scene(double gravity, std::array<double, 2> period = {0, 0}) {
+FluidScene<F, Real> fluid_scene(double gravity, double c, std::array<double, 2> period = {0, 0}) {
     FluidScene<F, Real> scene(
         {.gravity = {0, -gravity}, .support_radius = F::support * dx, .periodic_length = period, .threads = 1});
-    F::set(scene.template coupling<typename F::Sides>());
+    F::set(scene.template coupling<typename F::Sides>(), water_of<F>(c));
     return scene;
 }
 template <class F, class Scene>
 auto add_water(Scene& scene, const std::vector<sph::Point<2>>& points, double c) {
-    typename F::Water water{{.density = 1000, .sound_speed = c}};
-    F::set(water);
-    return scene.add(water, points, dx);
+    return scene.add(water_of<F>(c), points, dx);
 }
 template <class F, class Scene>
 void add_tank(Scene& scene, const sph::Box<2>& inside, double c, sph::Sides open = sph::Sides::y_high, int layers = 3) {
@@ -142,7 +152,7 @@ std::vector<sph::Point<2>> pool(double wide, double high) {
 template <class F, class Real = double>
 Outcome shaken_water(const Plan& plan) {
     const double c = 30;
-    auto scene = fluid_scene<F, Real>(0, {16 * dx, 16 * dx});
+    auto scene = fluid_scene<F, Real>(0, c, {16 * dx, 16 * dx});
     const auto water = add_water<F>(scene, sph::fill(sph::Box<2>{{0, 0}, {16 * dx, 16 * dx}}, dx), c);
     shake(scene[water], 1e-3 * c);
     Growth growth;
@@ -159,7 +169,7 @@ template <class F, class Real = double>
 Outcome still_water(const Plan& plan) {
     constexpr double wide = 16, depth = wide * dx;
     const double c = 10 * std::sqrt(2 * g * depth), weight = wide * dx * depth * 1000 * g, unit = std::sqrt(depth / g);
-    auto scene = fluid_scene<F, Real>(g);
+    auto scene = fluid_scene<F, Real>(g, c);
     const auto water = add_water<F>(scene, pool<F>(wide, wide), c);
     const double inner = (wide + 2 * F::gap) * dx;
     add_tank<F>(scene, sph::Box<2>{{0, 0}, {inner, 1.5 * inner}}, c);
@@ -186,7 +196,7 @@ Outcome still_water(const Plan& plan) {
 template <class F, class Real = double>
 Outcome impact(const Plan& plan) {
     const double c = 30, v = plan.value * c;
-    auto scene = fluid_scene<F, Real>(0);
+    auto scene = fluid_scene<F, Real>(0, c);
     std::vector<sph::Point<2>> block = sph::fill(sph::Box<2>{{-6 * dx, 0}, {6 * dx, 12 * dx}}, dx);
     for (auto& x : block)
         x[1] += (F::gap + 1) * dx;
@@ -208,7 +218,7 @@ template <class F, class Real = double, bool voids = false>
 Outcome spinning_square(const Plan& plan) {
     constexpr double side = 20 * dx;
     const double c = 30, omega = 0.1 * c / side;
-    auto scene = fluid_scene<F, Real>(0);
+    auto scene = fluid_scene<F, Real>(0, c);
     const auto water = add_water<F>(scene, sph::fill(sph::Box<2>{{-side / 2, -side / 2}, {side / 2, side / 2}}, dx), c);
     auto view = scene[water];
     for (int i = 0; i < view.size(); ++i) {
@@ -233,7 +243,7 @@ template <class F, class Real = double>
 Outcome splash(const Plan& plan) {
     constexpr double wide = 24, deep = 8, height = 12 * dx;
     const double v = 1, c = 10 * v, inner = (wide + 2 * F::gap) * dx, surface = (deep + F::gap) * dx;
-    auto scene = fluid_scene<F, Real>(g);
+    auto scene = fluid_scene<F, Real>(g, c);
     auto points = pool<F>(wide, deep);
     for (auto x : sph::fill(sph::Box<2>{{0, 0}, {6 * dx, 6 * dx}}, dx)) {
         x += sph::Point<2>(inner / 2 - 2.7 * dx, surface + height);

@@ -15,6 +15,7 @@ void add_walls(Table& table) {
     row("wall of one layer, 1 m", thin_wall<F, 1>);
     row("wall of two layers, 1 m", thin_wall<F, 2>);
     row("wall of three layers, 1 m", thin_wall<F, 3>);
+    table.frontiers.push_back({F::name, "wall of one layer", "metres of water", 0.1, 20, thin_wall<F, 1>});
     table.frontiers.push_back({F::name, "wall of two layers", "metres of water", 1, 20, thin_wall<F, 2>});
 }
 template <class F>
@@ -30,14 +31,14 @@ void add_overlap(Table& table) {
 
 void add_hard(Table& table) {
     add_walls<WeaklyCompressible>(table);
-    add_walls<Guarded>(table);
+    add_walls<Unguarded>(table);
     add_walls<Riemann>(table);
-    table.rows.push_back({"Hard", Kirchhoff::name, "rough sheet and thread", 0.2, thin_solids<Kirchhoff>});
+    table.rows.push_back({"Hard", Hookean::name, "rough sheet and thread", 0.2, thin_solids<Hookean>});
     table.rows.push_back({"Hard", "AntuonoDiffusion", "rough thread, drops", 0.3, thin_water});
     table.rows.push_back({"Hard", "two fluids", "layers, 1000 to 1", 1000, layers});
 
     table.frontiers.push_back(
-        {Kirchhoff::name, "sheet and thread", "roughness, spacings", 0.02, 0.45, thin_solids<Kirchhoff>});
+        {Hookean::name, "sheet and thread", "roughness, spacings", 0.02, 0.45, thin_solids<Hookean>});
     table.frontiers.push_back({"AntuonoDiffusion", "thread, drops", "roughness, spacings", 0.02, 0.45, thin_water});
     table.frontiers.push_back(
         {WeaklyCompressible::name, "floor with slots", "width, spacings", 0.1, 4, slotted_floor<WeaklyCompressible>});

@@ -27,11 +27,11 @@ struct TotalLagrangian {
                      sph::HourglassControl<K>, sph::TotalLagrangianViscosity<K>, sph::Clamped> {};
     static void set(Body&) {}
 };
+struct Hookean : TotalLagrangian<sph::NeoHookean> { // that of the preset
+    static constexpr const char* name = "neo-Hookean";
+};
 struct Kirchhoff : TotalLagrangian<sph::StVenantKirchhoff> {
     static constexpr const char* name = "St. Venant-Kirchhoff";
-};
-struct Hookean : TotalLagrangian<sph::NeoHookean> {
-    static constexpr const char* name = "neo-Hookean";
 };
 struct Averaged : TotalLagrangian<sph::VolumetricDeviatoric<>> {
     static constexpr const char* name = "volumetric-deviatoric";

@@ -17,7 +17,7 @@ double greatest_speed(const View& phase) {
 template <class F, class Real = double>
 Outcome columns_in_pairs(const Plan& plan) {
     const double c = 30;
-    auto scene = fluid_scene<F, Real>(0);
+    auto scene = fluid_scene<F, Real>(0, c);
     auto points = sph::fill(sph::Box<2>{{0, 0}, {12 * dx, 12 * dx}}, dx);
     for (auto& x : points)
         if (std::lround(std::floor(x[0] / dx)) % 2 == 1)
@@ -36,7 +36,7 @@ Outcome columns_in_pairs(const Plan& plan) {
 template <class C, class Real = double>
 Outcome water_in_solid(const Plan& plan) {
     const double c = 30;
-    auto scene = coupled_scene<C, Real>();
+    auto scene = coupled_scene<C, Real>(c);
     add_body<C>(scene, sph::fill(sph::Box<2>{{0, -8 * dx}, {12 * dx, 0}}, dx), 1e6, 0.3, 950);
     auto points = sph::fill(sph::Box<2>{{2 * dx, 0}, {10 * dx, 8 * dx}}, dx);
     for (auto& x : points)

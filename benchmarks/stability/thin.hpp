@@ -9,14 +9,13 @@
 
 namespace stability {
 
-/// The weakly compressible water with walls whose guard is a hundred times as stiff, 1e5 Pa: of the order of the
-/// pressure of 10 m of water.
-struct Guarded : WeaklyCompressible {
-    static constexpr const char* name = "weakly compressible, guard of 1e5 Pa";
+/// The weakly compressible water with walls that have no guard.
+struct Unguarded : WeaklyCompressible {
+    static constexpr const char* name = "weakly compressible, walls without a guard";
     using WeaklyCompressible::set;
-    static void set(Sides& sides) {
-        WeaklyCompressible::set(sides);
-        sides.set(sph::KernelRepulsionParameters{.stiffness = 1e5, .range = 0.8});
+    static void set(Sides& sides, const Water& water) {
+        WeaklyCompressible::set(sides, water);
+        sides.set(sph::KernelRepulsionParameters{.stiffness = 0});
     }
 };
 
@@ -27,7 +26,7 @@ template <class F, int layers, class Real = double>
 Outcome thin_wall(const Plan& plan) {
     constexpr double wide = 16, depth = wide * dx;
     const double heavy = g * plan.value / depth, c = 10 * std::sqrt(2 * g * 1.0), unit = std::sqrt(depth / heavy);
-    auto scene = fluid_scene<F, Real>(heavy);
+    auto scene = fluid_scene<F, Real>(heavy, c);
     const auto water = add_water<F>(scene, pool<F>(wide, wide), c);
     const double inner = (wide + 2 * F::gap) * dx;
     add_tank<F>(scene, sph::Box<2>{{0, 0}, {inner, 1.5 * inner}}, c, sph::Sides::y_high, layers);
@@ -51,7 +50,7 @@ template <class F, class Real = double>
 Outcome slotted_floor(const Plan& plan) {
     constexpr double wide = 16, depth = wide * dx;
     const double c = 10 * std::sqrt(2 * g * depth), unit = std::sqrt(depth / g), off = F::gap * dx;
-    auto scene = fluid_scene<F, Real>(g);
+    auto scene = fluid_scene<F, Real>(g, c);
     const auto water = add_water<F>(scene, pool<F>(wide, wide), c);
     const double inner = (wide + 2 * F::gap) * dx, slot = plan.value * dx;
     typename F::Tank tank{{.density = 1000}};

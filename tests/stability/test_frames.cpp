@@ -32,7 +32,7 @@ MatrixXd meet(const Frame& frame) {
                                              .time_step = 4e-6,
                                              .origin = frame.origin,
                                              .threads = 1});
-    SoundCoupling::set(scene.template coupling<SoundCoupling::Contact>());
+    SoundCoupling::set(scene.template coupling<SoundCoupling::Contact>(), stability::water_of<Fluid>(30));
     const auto placed = [&](double x, double y, double wide, double high) {
         std::vector<sph::Point<2>> points =
             sph::fill(sph::Box<2>{{x * dx, y * dx}, {(x + wide) * dx, (y + high) * dx}}, dx);
@@ -113,7 +113,7 @@ TEST_CASE("In float, an impact far away is the impact at home", "[stability]") {
 
 TEST_CASE("A particle far from all others changes nothing and flies freely", "[stability]") { // row 16
     const auto run = [](bool lonely) {
-        auto scene = coupled_scene<SoundCoupling, double>();
+        auto scene = coupled_scene<SoundCoupling, double>(30);
         auto points = sph::fill(sph::Box<2>{{0, 0}, {5 * dx, 5 * dx}}, dx);
         if (lonely)
             points.push_back({1e6 * dx, 3e5 * dx});

@@ -23,8 +23,9 @@ TEST_CASE("A block of water hits a floor", "[stability]") { // row 7
     check_margin(stability::impact<DamBreak>, 0.3);
 }
 
-TEST_CASE("A spinning square of water stays free of clumps", "[stability]") { // row 1
+TEST_CASE("A spinning square of water stays free of clumps and voids", "[stability]") { // rows 1 and 6
     check_margin(stability::spinning_square<WeaklyCompressible>);
+    check_margin(stability::spinning_square<WeaklyCompressible, double, true>);
 }
 
 TEST_CASE("A drop splashes into a pool", "[stability]") { // row 19

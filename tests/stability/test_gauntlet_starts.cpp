@@ -6,7 +6,7 @@
 using namespace gauntlet;
 
 TEST_CASE("Particles that coincide are refused, those that nearly do come apart slowly", "[stability]") { // row 11
-    auto scene = stability::fluid_scene<stability::WeaklyCompressible, double>(0);
+    auto scene = stability::fluid_scene<stability::WeaklyCompressible, double>(0, 30);
     const double close = 0.9e-3 * stability::dx;
     CHECK_THROWS_WITH((stability::add_water<stability::WeaklyCompressible>(scene, {{0, 0}, {close, 0}}, 30)),
                       imbibe_test::contains("Water") && imbibe_test::contains("coincide"));
@@ -18,7 +18,7 @@ TEST_CASE("Particles that coincide are refused, those that nearly do come apart 
 TEST_CASE("The distance of the nearest pair of two phases is what a limit is given", "[stability]") {
     using C = stability::SoundCoupling;
     using stability::dx;
-    auto scene = stability::coupled_scene<C, double>();
+    auto scene = stability::coupled_scene<C, double>(30);
     const auto block =
         stability::add_body<C>(scene, imbibe::fill(imbibe::Box<2>{{0, -4 * dx}, {8 * dx, 0}}, dx), 1e6, 0.3, 950);
     const auto water =

@@ -71,19 +71,11 @@ void try_one(unsigned seed, Tried& tried) {
     bool started = false;
     try {
         Scene scene({.gravity = {0, -gravity}, .support_radius = given_support, .threads = 1});
-        // The guard against particles that sink in, as soft next to the water as in the preset's own scene. As hard as
-        // the default it throws apart at the start what touches: its limit knows speeds, and nothing moves yet.
-        sph::KernelRepulsionParameters soft{.stiffness = 0.01 * std::max(water_density * sph::sq(c), 0.0),
-                                            .range = 0.7};
-        if (!std::isfinite(soft.stiffness))
-            soft.stiffness = 0;
-        SoundCoupling::set(scene.coupling<SoundCoupling::Contact>());
-        scene.coupling<SoundCoupling::Contact>().set(soft);
-        Fluid::set(scene.coupling<Fluid::Sides>());
-        scene.coupling<Fluid::Sides>().set(soft);
         if (has_water) {
             Fluid::Water water{{.density = water_density, .sound_speed = c, .viscosity = viscosity}};
             Fluid::set(water);
+            SoundCoupling::set(scene.coupling<SoundCoupling::Contact>(), water);
+            Fluid::set(scene.coupling<Fluid::Sides>(), water);
             auto points = sph::fill(sph::Box<2>{{0, 0}, {10 * spacing, depth}}, spacing);
             if (overlapping)
                 points.push_back(points.front());

@@ -194,6 +194,12 @@ TEST_CASE("DensityFloor lifts what is below and leaves what is above") {
     p.set(density, 990.0);
     CHECK(plain(bare(p)) == Approx(10 * 30 / 1e-3));
     CHECK(plain(slow(p)) == Approx(5 * 30 / 1e-3));
+    const DensityFloor slack{{.slack = 0.004}};
+    CHECK(plain(slack(p)) == Approx(6 * 30 / 1e-3));
+    p.set(density, 997.0);
+    CHECK(plain(slack(p)) == 0);
+    CHECK_THROWS_AS((DensityFloorParameters{.slack = 1}.check("Water")), Error);
+    CHECK_THROWS_AS((DensityFloorParameters{.slack = -0.1}.check("Water")), Error);
     const TimeStepInput in{2.6e-3, 1e-3, 1, 1, 3};
     CHECK(DensityFloor::time_step_limit(heavy(), in, {}) == Approx(2e-3 / 30));
 }
