@@ -66,8 +66,8 @@ struct Laminar : Liquid<sph::LaminarViscosity<sph::ViscosityKernel2D>> {};
 struct Monaghan : Liquid<sph::MonaghanViscosity<C2>> {};
 struct Floored : Liquid<sph::DensityFloor> {};
 struct Waves : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::RiemannPressure<C2>> {};
-struct NoSlipPlates : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {
-};
+struct NoSlipPlates
+    : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {};
 struct RiemannPlates : sph::Coupling<Sound, Plates, sph::Into<Sound, sph::RiemannWallNormal<C2>>,
                                      sph::RiemannWallPressure<C2>, sph::Into<Sound, sph::RiemannWallContinuity<C2>>> {};
 

@@ -12,7 +12,7 @@ TEST_CASE("Particles that coincide are refused, those that nearly do come apart 
                       imbibe_test::contains("Water") && imbibe_test::contains("coincide"));
     check_margin(stability::columns_in_pairs<stability::WeaklyCompressible>, 0.01);
     check_margin(stability::columns_in_pairs<stability::Riemann>, 0.01);
-    check_margin(stability::water_in_solid<stability::SoundCoupling>, 3);
+    check_margin(stability::water_in_solid<stability::SoundCoupling>, 2.5);
 }
 
 TEST_CASE("The distance of the nearest pair of two phases is what a limit is given", "[stability]") {

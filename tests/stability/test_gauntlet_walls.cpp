@@ -8,7 +8,8 @@ using stability::Riemann;
 using stability::Unguarded;
 using stability::WeaklyCompressible;
 
-TEST_CASE("Walls of two layers hold the pressure of four metres of water, of one layer that of one metre", "[stability]") {
+TEST_CASE("Walls of two layers hold the pressure of four metres of water, of one layer that of one metre",
+          "[stability]") {
     // row 10
     check_margin(stability::thin_wall<WeaklyCompressible, 2>, 4);
     check_margin(stability::thin_wall<Riemann, 2>, 4);

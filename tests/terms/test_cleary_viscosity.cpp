@@ -101,7 +101,7 @@ TEST_CASE("ClearyViscosity keeps momentum and angular momentum, and takes energy
     check_conservation<2>();
     check_conservation<3>();
 }
-TEST_CASE("the limit of ClearyViscosity is dim/(dim + 2) of that of MorrisViscosity, and less for waves along their own direction") {
+TEST_CASE("the limit of ClearyViscosity is dim/(dim + 2) of that of MorrisViscosity, and less along a wave") {
     for (const int dim : {2, 3}) {
         const TimeStepInput in{4e-3, 1e-3, 1, 1, dim};
         CHECK(ClearyViscosity<>::time_step_limit(oil(), in) ==

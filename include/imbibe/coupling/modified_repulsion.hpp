@@ -70,9 +70,9 @@ struct ModifiedRepulsion {
     static constexpr const char* limit_name = "repulsion";
     /// Its limit depends on the nearest pair (TimeStepInput::nearest).
     static constexpr bool limit_by_nearest = true;
-    /// 2 r_0/(U sqrt(3 d)), s: 2 over the frequency of a pair that is d r_0 within the range; at most r_0/v, the time in
-    /// which a particle crosses it. d is the depth, at most 1, that the nearest pair comes to with the greatest speeds of
-    /// the two phases together, v: d^3 = d_0^3 + (v/U)^2. Infinite where nothing moves and nothing is in reach.
+    /// 2 r_0/(U sqrt(3 d)), s: 2 over the frequency of a pair that is d r_0 within the range; at most r_0/v, the time
+    /// in which a particle crosses it. d is the depth, at most 1, that the nearest pair comes to with the greatest
+    /// speeds of the two phases together, v: d^3 = d_0^3 + (v/U)^2. Infinite where nothing moves and nothing is in reach.
     static double time_step_limit(const auto&, const auto&, const TimeStepInput& in, const Parameters& parameters) {
         const double reach = parameters.range * 0.5 * (in.spacing + in.other_spacing);
         if (!(parameters.speed > 0 && reach > 0))

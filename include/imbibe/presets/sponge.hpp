@@ -83,7 +83,7 @@ struct PaperSponge {
 /// The same scene with schemes that converge: Wendland C2 with 2.6 spacings of support, density diffusion, the
 /// volume-based pressure, walls and sponge as one kind of obstacle to the water, to which its pressure is continued
 /// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, within the water too,
-/// and a total-Lagrangian neo-Hookean sponge with corrected gradients and hourglass control. Sound speed: ten
+/// and a total-Lagrangian St. Venant-Kirchhoff sponge with corrected gradients and hourglass control. Sound speed: ten
 /// times the speed of the fall. The sponge has a support of its own, 2 spacings: with 2.6 a plate of nine layers swings
 /// 5 % too fast, and costs twice as much.
 struct SoundSponge {
@@ -93,7 +93,7 @@ struct SoundSponge {
     /// To be given its coefficients by set_coefficients(), as Contact and Sides.
     struct Water : Fluid<LinearState, VolumeContinuity<K>, DensityDiffusion<K>, DensityFloor, VolumePressure<K>,
                          MorrisViscosity<K>, MonaghanViscosity<K>, KernelRepulsion<Spiky>> {};
-    struct Sponge : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>,
+    struct Sponge : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>,
                           HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
     struct Vessel : Wall<> {};
     struct Contact : Coupling<Water, Sponge, Into<Sponge, PressureExtrapolation<K>>, VolumePressure<K>,
@@ -114,12 +114,13 @@ struct SoundSponge {
         // the water would be in pairs. Soft, so that it neither limits the step nor throws apart what starts near.
         water.set(KernelRepulsionParameters{.stiffness = 1e-3 * bulk_modulus(water), .range = 0.7});
     }
-    /// The same for water and what it meets, the sponge (Contact) or walls (Sides): no suction, and a guard with which one
-    /// layer of wall particles holds a metre of water.
+    /// The same for water and what it meets, the sponge (Contact) or walls (Sides): no suction, and a guard with which
+    /// one layer of wall particles holds a metre of water.
     static void set_coefficients(auto& contact, const Water& water) {
-        // Where suction is cut off, single particles would sink into the surface along which they slide, but for the guard.
+        // Where suction is cut off, single particles would sink into the surface along which they slide, but for the
+        // guard.
         contact.set(PressureExtrapolationParameters{.suction = false});
-        contact.set(KernelRepulsionParameters{.stiffness = 0.01 * bulk_modulus(water), .range = 0.8});
+        contact.set(KernelRepulsionParameters{.stiffness = 0.005 * bulk_modulus(water), .range = 0.8});
     }
 
     /// The scene with its particles. Throws Error for a number of the case that is out of range.
