@@ -33,12 +33,12 @@ void add_hard(Table& table) {
     add_walls<WeaklyCompressible>(table);
     add_walls<Unguarded>(table);
     add_walls<Riemann>(table);
-    table.rows.push_back({"Hard", Kirchhoff::name, "rough sheet and thread", 0.2, thin_solids<Kirchhoff>});
+    table.rows.push_back({"Hard", Hookean::name, "rough sheet and thread", 0.2, thin_solids<Hookean>});
     table.rows.push_back({"Hard", "AntuonoDiffusion", "rough thread, drops", 0.3, thin_water});
     table.rows.push_back({"Hard", "two fluids", "layers, 1000 to 1", 1000, layers});
 
     table.frontiers.push_back(
-        {Kirchhoff::name, "sheet and thread", "roughness, spacings", 0.02, 0.45, thin_solids<Kirchhoff>});
+        {Hookean::name, "sheet and thread", "roughness, spacings", 0.02, 0.45, thin_solids<Hookean>});
     table.frontiers.push_back({"AntuonoDiffusion", "thread, drops", "roughness, spacings", 0.02, 0.45, thin_water});
     table.frontiers.push_back(
         {WeaklyCompressible::name, "floor with slots", "width, spacings", 0.1, 4, slotted_floor<WeaklyCompressible>});

@@ -57,8 +57,8 @@ struct Watch {
     double expected_steps = 0;       ///< at cfl = 1; twenty times as many and the steps have collapsed
 };
 
-/// The energy that a phase stores, J: of compression, of shear (s:s/4G), or of St. Venant and Kirchhoff, which for the
-/// other total-Lagrangian laws is right for small strains only. Without hourglass control and repulsion.
+/// The energy that a phase stores, J: of compression, of shear (s:s/4G), or that of its total-Lagrangian law. Without
+/// hourglass control and repulsion.
 template <class P, class View>
 double stored_energy(const View& phase) {
     using State = std::remove_cvref_t<decltype(phase.state)>;

@@ -33,11 +33,11 @@ void add_column(Table& table) {
 } // namespace
 
 void add_solids(Table& table) {
-    add<Kirchhoff>(table, Kirchhoff::name);
-    add_column<Kirchhoff>(table);
-    add<Kirchhoff, float>(table, sph::text(Kirchhoff::name, ", float"));
     add<Hookean>(table, Hookean::name);
     add_column<Hookean>(table);
+    add<Hookean, float>(table, sph::text(Hookean::name, ", float"));
+    add<Kirchhoff>(table, Kirchhoff::name);
+    add_column<Kirchhoff>(table);
     add<Averaged>(table, Averaged::name);
     add_column<Averaged>(table);
     add<Hypoelastic>(table, Hypoelastic::name);

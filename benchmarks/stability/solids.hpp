@@ -27,10 +27,10 @@ struct TotalLagrangian {
                      sph::HourglassControl<K>, sph::TotalLagrangianViscosity<K>, sph::Clamped> {};
     static void set(Body&) {}
 };
-struct Hookean : TotalLagrangian<sph::NeoHookean> {
+struct Hookean : TotalLagrangian<sph::NeoHookean> { // that of the preset
     static constexpr const char* name = "neo-Hookean";
 };
-struct Kirchhoff : TotalLagrangian<sph::StVenantKirchhoff> { // that of the preset
+struct Kirchhoff : TotalLagrangian<sph::StVenantKirchhoff> {
     static constexpr const char* name = "St. Venant-Kirchhoff";
 };
 struct Averaged : TotalLagrangian<sph::VolumetricDeviatoric<>> {

@@ -15,6 +15,21 @@ double particle_sum(const View& phase, const F& f) {
         total += f(i);
     return total;
 }
+
+/// The term of a solid that says what energy a deformation stores.
+template <int dim, class Solid, class Terms>
+struct FindStoringLaw;
+template <int dim, class Solid, class... Terms>
+struct FindStoringLaw<dim, Solid, TypeList<Terms...>> {
+    template <class Term>
+    static constexpr bool stores =
+        requires(const Solid& solid, const Tensor<double, dim>& F) { Term::stored_energy(solid, F); };
+    static_assert((stores<Terms> || ...), "elastic_energy: no term of this phase has a stored_energy");
+    using type = std::tuple_element_t<0, decltype(std::tuple_cat(
+        std::conditional_t<stores<Terms>, std::tuple<Terms>, std::tuple<>>{}...))>;
+};
+template <int dim, class Solid>
+using StoringLaw = typename FindStoringLaw<dim, Solid, typename Solid::terms>::type;
 } // namespace detail
 
 /// sum_a m_a |v_a|^2 / 2, J.
@@ -72,22 +87,20 @@ double shear_energy(const View& phase) {
     });
 }
 
-/// sum_a V_a (lambda tr(E)^2 / 2 + mu E:E), J, with the Green strain E = (F^T F - 1)/2: the elastic energy of a
-/// total-Lagrangian St. Venant-Kirchhoff solid.
+/// sum_a V_a psi(F_a), J: what a total-Lagrangian solid stores, with the energy density psi of its law
+/// (StVenantKirchhoff::stored_energy, NeoHookean::stored_energy). Without hourglass control. Does not compile for a phase
+/// whose terms have none, as those of VolumetricDeviatoric, whose energy is not that of single particles.
 template <int dim, class View>
 double elastic_energy(const View& phase) {
+    using Law = detail::StoringLaw<dim, std::remove_cvref_t<decltype(phase.material())>>;
     const auto m = phase[mass];
     const auto F = phase[deformation_gradient];
     const auto& material = phase.material();
-    const double mu = material.shear_modulus, lambda = material.bulk_modulus() - 2 * mu / 3;
     return detail::particle_sum(phase, [&](int i) {
-        Eigen::Matrix<double, dim, dim> f;
-        for (int r = 0; r < dim; ++r)
-            for (int c = 0; c < dim; ++c)
-                f(r, c) = F(i, r * dim + c);
-        const Eigen::Matrix<double, dim, dim> E =
-            0.5 * (f.transpose() * f - Eigen::Matrix<double, dim, dim>::Identity());
-        return m(i) / material.density * (0.5 * lambda * sq(E.trace()) + mu * E.squaredNorm());
+        Tensor<double, dim> f;
+        for (int k = 0; k < f.size; ++k)
+            f[k] = F(i, k);
+        return m(i) / material.density * Law::stored_energy(material, f);
     });
 }
 

@@ -12,8 +12,6 @@ namespace imbibe {
 ///
 /// An element turned inside out (J <= 0) is beyond it; J is then taken as 0.001, which pushes it back.
 ///
-/// Stored energy, Pa: lambda/4 (J^2 - 1 - 2 ln J) + mu/2 (tr F^T F - 3 - 2 ln J).
-///
 /// Source: Ciarlet (1988); Simo and Hughes (1998).
 struct NeoHookean {
     using reads = Fields<deformation_gradient>;
@@ -26,6 +24,15 @@ struct NeoHookean {
         const auto cofactor = transpose(adjugate(F)); // J F^-T
         const T mu = a.material.shear_modulus, lambda = detail::lame_lambda(a.material);
         return mu * F + ((T(0.5) * lambda * (sq(J) - 1) - mu) / J) * cofactor;
+    }
+
+    /// The energy stored by the deformation F, J/m^3 of the stress-free solid:
+    /// lambda/4 (J^2 - 1 - 2 ln J) + mu/2 (tr F^T F - dim - 2 ln J), J as above.
+    template <int dim>
+    static double stored_energy(const auto& material, const Tensor<double, dim>& F) {
+        const double J = std::max(determinant(F), 1e-3), log = std::log(J);
+        return 0.25 * detail::lame_lambda(material) * (sq(J) - 1 - 2 * log) +
+               0.5 * material.shear_modulus * (trace(transpose(F) * F) - dim - 2 * log);
     }
 
     static constexpr const char* limit_name = "elastic wave";

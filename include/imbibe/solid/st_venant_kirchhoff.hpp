@@ -29,6 +29,13 @@ struct StVenantKirchhoff {
         return F * S;
     }
 
+    /// The energy stored by the deformation F, J/m^3 of the stress-free solid: lambda/2 tr(E)^2 + mu E:E.
+    template <int dim>
+    static double stored_energy(const auto& material, const Tensor<double, dim>& F) {
+        const auto E = 0.5 * (transpose(F) * F - identity<double, dim>());
+        return 0.5 * detail::lame_lambda(material) * sq(trace(E)) + material.shear_modulus * trace(E * E);
+    }
+
     static constexpr const char* limit_name = "elastic wave";
     /// f spacing/(c_l + v), s, with the speed of longitudinal waves c_l = sqrt((K + 4G/3)/rho_0), the greatest speed v
     /// in the phase, and f = 1 but for short supports and for Poisson's ratios near 1/2: with n = nu/(1 - nu) and r =

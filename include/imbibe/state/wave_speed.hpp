@@ -23,8 +23,8 @@ double fastest_wave_speed(const auto& material) {
 /// other, so that no wave is faster than c times the largest |sum_b V_b grad W_ab sin(k.x_ab)|, and a symplectic step is
 /// stable below 2 over that frequency: on square and cubic lattices with two or more spacings a support 0.9 H/c with
 /// WendlandC2, the cubic spline and Spiky, 0.76 H/c with WendlandC4 and the quintic spline, 0.68 H/c with WendlandC6.
-/// Wider supports see no wave as short as a spacing. 0.6 leaves room for disorder and viscosity. Below 1.7 spacings a support a lattice would allow much more,
-/// but particles that come nearer to each other than in a lattice would not.
+/// Wider supports see no wave as short as a spacing. 0.6 leaves room for disorder and viscosity. Below 1.7 spacings a
+/// support a lattice would allow much more, but particles that come nearer to each other than in a lattice would not.
 double acoustic_time_step(const auto& material, const TimeStepInput& in) {
     return std::max(in.spacing, 0.6 * in.support_radius) / (fastest_wave_speed(material) + in.max_speed);
 }
