@@ -41,7 +41,8 @@ TEST_CASE("The report of a scene names effects, fields, bytes, sweeps, neighbour
     says(report, "Water: 200 particles, spacing 20 mm, ");
     says(report,
          "effects: Tait<7>, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>, MonaghanViscosity<WendlandC2>");
-    says(report, "PressureExtrapolation<WendlandC2>");
+    says(report, "Into<");
+    says(report, "PressureExtrapolation<"); // clang++ leaves out what is the default
     says(report, sph::text("Schedule: ", Scene::Scene::plan.rounds, " rounds, "));
     const auto& s = scene.engine().template state<Water>();
     says(report, sph::text(std::remove_cvref_t<decltype(s)>::component_total * 4, " bytes each"));

@@ -16,12 +16,14 @@ template <class T>
 constexpr std::string_view signature() {
     return __PRETTY_FUNCTION__;
 }
-/// The name of the type in a signature, with its template arguments, without the library's namespaces.
+/// The name of the type in a signature, with its template arguments, without the library's namespaces. (clang++ leaves
+/// out arguments that are the default, `PressureExtrapolation<>`, and does not say which field one is.)
 [[gnu::noinline]] inline std::string full_type_name(std::string_view function) {
     const auto begin = function.find("T = ") + 4;
     std::string all(function.substr(begin, function.find_last_of("];") - begin));
     all = all.substr(0, all.find("; std::string_view"));
-    for (const char* noise : {"imbibe::presets::", "imbibe::", "{}", "()"})
+    for (const char* noise :
+         {"(anonymous namespace)::", "{anonymous}::", "imbibe::presets::", "imbibe::", ", {{}}", "{}", "()"})
         for (auto at = all.find(noise); at != std::string::npos; at = all.find(noise))
             all.erase(at, std::string_view(noise).size());
     return all;
