@@ -44,6 +44,29 @@ Outcome thin_wall(const Plan& plan) {
     });
 }
 
+/// A drop of 4 x 4 particles that is thrown against an upright wall, at `value` sound speeds, and falls along it by 20
+/// spacings. Walls without friction do not hold it: on average it falls as if they were not there.
+template <class F, class Real = double>
+Outcome drop_along_wall(const Plan& plan) {
+    const double c = 30, end = std::sqrt(2 * 20 * dx / g);
+    auto scene = fluid_scene<F, Real>(g, c);
+    const double off = F::gap * dx;
+    const auto water = add_water<F>(scene, sph::fill(sph::Box<2>{{off, 0}, {off + 4 * dx, 4 * dx}}, dx), c);
+    typename F::Tank wall{{.density = 1000}};
+    wall.sound_speed = c;
+    scene.add(wall, sph::fill(sph::Box<2>{{-3 * dx, -40 * dx}, {0, 40 * dx}}, dx), dx);
+    scene[water][sph::velocity].col(0).setConstant(Real(-plan.value * c));
+    const double top = scene[water][sph::position].col(1).mean();
+    const Watch<2> watch{.end = end,
+                         .guard = {.energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"lag behind free fall, spacings", 1}},
+                         .expected_steps = end * c / dx};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const double fallen = top - s[water][sph::position].col(1).mean();
+        return std::vector{std::abs(fallen - 0.5 * g * sph::sq(s.time())) / dx};
+    });
+}
+
 /// Water on a floor with two slots, each `value` spacings between its faces. Does any pass, and does the floor bear the
 /// weight? Row 17. (Between particles on the two sides of a slot there is one spacing more.)
 template <class F, class Real = double>

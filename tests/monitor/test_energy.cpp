@@ -12,8 +12,23 @@ using K = sph::WendlandC2;
 
 struct Rated : sph::Solid<sph::LinearState, sph::Continuity<K>, sph::VelocityGradient<K>, sph::JaumannStress,
                           sph::StressForce<K>> {};
-struct Referred : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                             sph::TotalLagrangianForce<K>> {};
+template <class Law>
+struct Referred
+    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, Law, sph::TotalLagrangianForce<K>> {};
+
+/// What a total-Lagrangian block has stored in the displacement gradient e, J.
+template <int dim, class Law>
+double elastic_energy_in(const Eigen::Matrix<double, dim, dim>& e) {
+    const double dx = 0.1, rho = 950, c = 30, G = 2e5;
+    const auto points = sph::fill(sph::Box<dim>(sph::Point<dim>::Zero(), sph::Point<dim>::Constant(0.4)), dx);
+    sph::Solver<dim, double, sph::SymplecticEuler, Referred<Law>> scene({.support_radius = 2 * dx});
+    const auto block = scene.add(Referred<Law>{{.density = rho, .sound_speed = c, .shear_modulus = G}}, points, dx);
+    auto F = scene[block][sph::deformation_gradient];
+    for (int row = 0; row < dim; ++row)
+        for (int column = 0; column < dim; ++column)
+            F.col(row * dim + column).setConstant((row == column ? 1 : 0) + e(row, column));
+    return sph::elastic_energy<dim>(scene[block]);
+}
 
 /// The compression and the shear energy of a block with a stress rate in the strain e, and what it has by St. Venant
 /// and Kirchhoff, J.
@@ -30,13 +45,8 @@ std::array<double, 3> energies_in(const Eigen::Matrix<double, dim, dim>& e) {
         for (int column = row; column < dim; ++column, ++k)
             S.col(k).setConstant(2 * G * (e(row, column) - (row == column ? e.trace() / 3 : 0)));
 
-    sph::Solver<dim, double, sph::SymplecticEuler, Referred> referred({.support_radius = 2 * dx});
-    const auto b = referred.add(Referred{{.density = rho, .sound_speed = c, .shear_modulus = G}}, points, dx);
-    auto F = referred[b][sph::deformation_gradient];
-    for (int row = 0; row < dim; ++row)
-        for (int column = 0; column < dim; ++column)
-            F.col(row * dim + column).setConstant((row == column ? 1 : 0) + e(row, column));
-    return {sph::compression_energy(rated[a]), sph::shear_energy<dim>(rated[a]), sph::elastic_energy<dim>(referred[b])};
+    return {sph::compression_energy(rated[a]), sph::shear_energy<dim>(rated[a]),
+            elastic_energy_in<dim, sph::StVenantKirchhoff>(e)};
 }
 
 } // namespace
@@ -60,6 +70,17 @@ TEST_CASE("A solid with a stress rate stores what a total-Lagrangian one does in
         CHECK(compression == Approx(0.4 * 0.4 * bulk / 2 * sph::sq(small * plane.trace())).epsilon(1e-3));
         CHECK(compression + shear == Approx(all).epsilon(1e-3));
     }
+}
+
+TEST_CASE("A total-Lagrangian solid stores what its own law says", "[energy]") {
+    const double lambda = 950.0 * 30 * 30 - 2 * 2e5 / 3, mu = 2e5, volume = 0.4 * 0.4 * 0.4, stretch = 0.6;
+    Eigen::Matrix3d squeezed = Eigen::Matrix3d::Zero(); // uniaxial, to 0.6 of the length
+    squeezed(1, 1) = stretch - 1;
+    const double E = (stretch * stretch - 1) / 2, log = std::log(stretch);
+    CHECK(elastic_energy_in<3, sph::StVenantKirchhoff>(squeezed) ==
+          Approx(volume * (lambda / 2 + mu) * E * E).epsilon(1e-12));
+    CHECK(elastic_energy_in<3, sph::NeoHookean>(squeezed) ==
+          Approx(volume * (lambda / 4 * (2 * E - 2 * log) + mu / 2 * (2 * E - 2 * log))).epsilon(1e-12));
 }
 
 } // namespace energy_test

@@ -19,6 +19,11 @@ TEST_CASE("Walls of two layers hold the pressure of four metres of water, of one
     CHECK(!stability::thin_wall<Riemann, 1>({.value = 1}).stable);
 }
 
+TEST_CASE("A drop thrown on an upright wall falls along it as if it were not there", "[stability]") {
+    for (const double speed : {0.001, 0.003, 0.01, 0.03}) // of sound
+        check_margin(stability::drop_along_wall<WeaklyCompressible>, speed);
+}
+
 TEST_CASE("A floor with slots of 0.4 spacings bears the water, and one with wide slots drains", "[stability]") {
     const Outcome closed = stability::slotted_floor<WeaklyCompressible>({.value = 0.4}); // row 17
     INFO(words(closed));

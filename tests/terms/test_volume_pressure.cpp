@@ -166,6 +166,27 @@ TEST_CASE("VolumePressure pushes apart where the pressure is positive") {
     CHECK(force[1] < 0);
 }
 
+TEST_CASE("VolumePressure without tension pushes as it does with it, and never pulls") {
+    const auto fluids = two_fluids<3>();
+    const auto &water = fluids.first, &air = fluids.second;
+    const VolumePressure<WendlandC2, Tension::none>::Push push;
+    CHECK(worst_imbalance(push, water, air) < 1e-14);
+    int pushed = 0, pulled = 0;
+    for (const auto& a : water)
+        for (const auto& b : air) {
+            const auto without = given(push, a, b), with = given(VolumePressure<>::Push{}, a, b);
+            if (plain(a[pressure]) + plain(b[pressure]) < 0) {
+                REQUIRE(without.norm() == 0);
+                pulled += with.norm() > 0;
+            } else {
+                REQUIRE((without - with).norm() == 0);
+                pushed += with.norm() > 0;
+            }
+        }
+    CHECK(pushed > 10);
+    CHECK(pulled > 10);
+}
+
 TEST_CASE("DensityDiffusion leaves still water alone, smooths the rest and loses nothing") {
     check_diffusion<2>();
     check_diffusion<3>();

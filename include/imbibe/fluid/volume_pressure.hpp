@@ -6,6 +6,12 @@
 
 namespace imbibe {
 
+/// What VolumePressure makes of a pair whose pressures have a negative sum.
+enum class Tension {
+    pulls, ///< they pull at each other
+    none   ///< nothing: the pair can part freely
+};
+
 /// dv_a/dt = - 1/m_a sum_b V_a V_b (p_a + p_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho.
 ///
 /// The force that does as much work as VolumeContinuity counts compression (virtual work), so the two belong
@@ -17,11 +23,15 @@ namespace imbibe {
 /// and its volume is its own m/rho. Write the term there without `Into`: both sides need the volume, and a wall that
 /// does not move computes no force.
 ///
+/// Tension::none is for the coupling of a fluid that bears some tension (the slack of DensityFloor) with walls or solids
+/// from which it is to part. PressureExtrapolation without suction does not see to that alone: a fluid particle whose
+/// own pressure is negative still pulls at the wall, and single drops stick to it.
+///
 /// Not without something against clumping where the pressure is negative (DensityFloor, particle shifting). Not where
 /// the volume of a particle is not m/rho.
 ///
 /// Source: Colagrossi and Landrini (2003); the same average of volumes and pressures, Hu and Adams (2006).
-template <class Kernel = WendlandC2>
+template <class Kernel = WendlandC2, Tension tension = Tension::pulls>
 struct VolumePressure {
     struct Push {
         using reads = Fields<mass, volume, pressure>;
@@ -29,7 +39,10 @@ struct VolumePressure {
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             const auto per_mass = 1 / a[mass]; // does not depend on b: leaves the pair loop
-            return along(ab, -(a[volume] * b[volume] * (a[pressure] + b[pressure]) * ab.gradient(Kernel{}) * per_mass));
+            auto sum = a[pressure] + b[pressure];
+            if constexpr (tension == Tension::none)
+                sum = positive_part(sum);
+            return along(ab, -(a[volume] * b[volume] * sum * ab.gradient(Kernel{}) * per_mass));
         }
     };
     using parts = Parts<Volume, Push>;

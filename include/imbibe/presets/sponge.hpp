@@ -98,7 +98,7 @@ struct SoundSponge {
     struct Vessel : Wall<> {};
     struct Contact : Coupling<Water, Sponge, Into<Sponge, PressureExtrapolation<K>>, VolumePressure<K>,
                               Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};
-    struct Sides : Coupling<Water, Vessel, Into<Vessel, PressureExtrapolation<K>>, VolumePressure<K>,
+    struct Sides : Coupling<Water, Vessel, Into<Vessel, PressureExtrapolation<K>>, VolumePressure<K, Tension::none>,
                             Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};
 
     /// The scene.
@@ -108,7 +108,8 @@ struct SoundSponge {
     /// The coefficients of the scheme, for this scene and for others made of its phases.
     static void set_coefficients(Water& water) {
         water.set(MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
-        // The tension that is left keeps water closed that spins, and drops together.
+        // The tension that is left keeps water closed that spins, and drops together. It wets the sponge, with no more
+        // than capillarity has in such pores, but not the walls: single drops would hang at them.
         water.set(DensityFloorParameters{.slack = 1e-3});
         // Where jets and films are drawn out, particles come nearer to each other across them: without this a fifth of
         // the water would be in pairs. Soft, so that it neither limits the step nor throws apart what starts near.

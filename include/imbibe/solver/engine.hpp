@@ -200,11 +200,11 @@ private:
         const auto& b = this->template state<typename S::B>();
         const auto& l = this->template link<P, typename S::B, S::reference>();
         SourceData<dim, FieldsOf<typename S::B>, Real> source{};
-        const Real* data = b.data();
-        if constexpr (State<typename S::B>::keeps_reference && !S::reference)
-            data = b.image_data();
         for (std::size_t k = 0; k < source.columns.size(); ++k)
-            source.columns[k] = data + k * b.stride();
+            if constexpr (State<typename S::B>::keeps_reference && !S::reference)
+                source.columns[k] = b.image_column(static_cast<int>(k));
+            else
+                source.columns[k] = b.column(static_cast<int>(k));
         source.runs = &l.runs;
         source.support = l.support;
         source.periodic = &this->periodic;

@@ -158,11 +158,14 @@ public:
         search::Points<dim, Real> p;
         p.n = n;
         for (int d = 0; d < dim; ++d)
-            p.x[static_cast<std::size_t>(d)] = image.data() + static_cast<std::size_t>(offset<Position> + d) * step;
+            p.x[static_cast<std::size_t>(d)] = image_column(offset<Position> + d);
         return p;
     }
     Real* image_column(int k) { return image.data() + static_cast<std::size_t>(k) * step; }
-    const Real* image_data() const { return image.data(); }
+    /// The same, to read; null before the first search that finds others within reach.
+    const Real* image_column(int k) const {
+        return image.empty() ? nullptr : image.data() + static_cast<std::size_t>(k) * step;
+    }
 
     search::CellTable table;                ///< of the present positions
     std::vector<std::uint32_t> image_order; ///< image[k] is particle image_order[k]
