@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 #if defined(__linux__)
+#include <filesystem>
+#include <system_error>
 #include <unistd.h>
 #endif
 
@@ -18,6 +20,9 @@ inline void sleep_while_waiting([[maybe_unused]] char** argv) {
         return;
     ::setenv("OMP_WAIT_POLICY", "passive", 1);
     ::setenv("GOMP_SPINCOUNT", "1000", 1);
+    std::error_code unreadable; // by its own name, under which `ps` and `pkill` look for it
+    if (const auto program = std::filesystem::read_symlink("/proc/self/exe", unreadable); !unreadable)
+        ::execv(program.c_str(), argv);
     ::execv("/proc/self/exe", argv);
 #endif
 }
