@@ -59,6 +59,7 @@ using EveryPairPart = TypeList<
     Case<ArtificialStress<Spiky, ComponentWise, Poly6, 3>::Push, Sponge, Sponge, true>,
     Case<Xsph<Poly6>::Sum, Sponge, Sponge, false>, Case<KernelRepulsion<>, Water, Sponge, true>,
     Case<VolumePressure<>::Push, Water, Water, true>, Case<VolumePressure<>::Push, Water, Sponge, true>,
+    Case<VolumePressure<WendlandC2, Tension::none>::Push, Water, Sponge, true>,
     Case<DensityDiffusion<>::Smooth, Water, Water, false>, Case<MorrisViscosity<>, Water, Water, true>,
     Case<NoSlipViscosity<>, Water, Sponge, true>, Case<ReferenceCorrection<>::Moments, Sponge, Sponge, false>,
     Case<DeformationGradient<>::Sum, Sponge, Sponge, false>, Case<TotalLagrangianForce<>::Push, Sponge, Sponge, true>,
