@@ -29,8 +29,8 @@ struct DensityFloorParameters {
 /// density of a particle below the reference density back to it within the time that sound takes to cross a particle:
 /// the pressure then does not fall below about -rho_0 c (slack c + spacing div v).
 ///
-/// To be used together with walls that do not pull (PressureExtrapolation with `suction = false`). Never those walls
-/// without this floor: the water then swells (down to half its density in the scene of the paper).
+/// To be used together with walls that do not pull (PressureExtrapolation with `suction = false`; with a slack also
+/// VolumePressure with Tension::none there, or single drops hang at them). Never those walls without this floor: the water then swells (down to half its density in the scene of the paper).
 ///
 /// Not for flows that live on tension or suction (a siphon, a wake in a closed channel without background pressure):
 /// it lets them open, unless the slack bears them. Mass is conserved, the volume m/rho of water that opens and closes

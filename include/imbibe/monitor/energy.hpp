@@ -16,20 +16,19 @@ double particle_sum(const View& phase, const F& f) {
     return total;
 }
 
-/// The term of a solid that says what energy a deformation stores.
-template <int dim, class Solid, class Terms>
-struct FindStoringLaw;
+/// What the terms of a solid say that the deformation F stores, J/m^3 of the stress-free solid.
 template <int dim, class Solid, class... Terms>
-struct FindStoringLaw<dim, Solid, TypeList<Terms...>> {
-    template <class Term>
-    static constexpr bool stores =
-        requires(const Solid& solid, const Tensor<double, dim>& F) { Term::stored_energy(solid, F); };
-    static_assert((stores<Terms> || ...), "elastic_energy: no term of this phase has a stored_energy");
-    using type = std::tuple_element_t<0, decltype(std::tuple_cat(
-        std::conditional_t<stores<Terms>, std::tuple<Terms>, std::tuple<>>{}...))>;
-};
-template <int dim, class Solid>
-using StoringLaw = typename FindStoringLaw<dim, Solid, typename Solid::terms>::type;
+double stored_energy(const Solid& solid, const Tensor<double, dim>& F, TypeList<Terms...>) {
+    static_assert((requires { Terms::stored_energy(solid, F); } || ...),
+                  "elastic_energy: no term of this phase has a stored_energy");
+    double sum = 0;
+    const auto add = [&]<class Term>(std::type_identity<Term>) {
+        if constexpr (requires { Term::stored_energy(solid, F); })
+            sum += Term::stored_energy(solid, F);
+    };
+    (add(std::type_identity<Terms>{}), ...);
+    return sum;
+}
 } // namespace detail
 
 /// sum_a m_a |v_a|^2 / 2, J.
@@ -92,7 +91,7 @@ double shear_energy(const View& phase) {
 /// whose terms have none, as those of VolumetricDeviatoric, whose energy is not that of single particles.
 template <int dim, class View>
 double elastic_energy(const View& phase) {
-    using Law = detail::StoringLaw<dim, std::remove_cvref_t<decltype(phase.material())>>;
+    using Terms = typename std::remove_cvref_t<decltype(phase.material())>::terms;
     const auto m = phase[mass];
     const auto F = phase[deformation_gradient];
     const auto& material = phase.material();
@@ -100,7 +99,7 @@ double elastic_energy(const View& phase) {
         Tensor<double, dim> f;
         for (int k = 0; k < f.size; ++k)
             f[k] = F(i, k);
-        return m(i) / material.density * Law::stored_energy(material, f);
+        return m(i) / material.density * detail::stored_energy<dim>(material, f, Terms{});
     });
 }
 
