@@ -17,8 +17,8 @@ from picture_style import CURVES, DASHES, np, plt, readable_unit, save
 
 
 def read_table(path):
-    """{name: (unit, values)} of a CSV file whose first line names the columns as `name [unit]`. A last line that is
-    not complete, as a run still going or killed may leave it, is left out."""
+    """{name: (unit, values)} of a CSV file whose first line names the columns as `name [unit]`. Columns of words are
+    left out, and a last line that is not complete, as a run still going or killed may leave it."""
     try:
         with open(path, newline="") as file:
             content = file.read()
@@ -28,11 +28,15 @@ def read_table(path):
     if not lines:
         sys.exit(f"plot_curves.py: {path} is empty")
     heads = [re.fullmatch(r"(.*?)(?: \[(.*)\])?", head).groups() for head in lines[0]]
-    try:
-        values = np.array([[float(word) for word in line] for line in lines[1:]]).reshape(-1, len(heads))
-    except ValueError:
-        sys.exit(f"plot_curves.py: {path} has a row that is not {len(heads)} numbers")
-    return {name: (unit or "", values[:, k]) for k, (name, unit) in enumerate(heads)}
+    if any(len(line) != len(heads) for line in lines):
+        sys.exit(f"plot_curves.py: {path} has a row that is not of {len(heads)} columns")
+    table = {}
+    for k, (name, unit) in enumerate(heads):
+        try:
+            table[name] = (unit or "", np.array([float(line[k]) for line in lines[1:]]))
+        except ValueError:
+            pass
+    return table
 
 
 def read_arguments():

@@ -15,6 +15,7 @@ struct SpongeOutput {
     double snapshot_interval = 10e-3; ///< s; 0: no snapshots
     double checkpoint_interval = 60;  ///< of wall time, s
     bool restart = false;             ///< go on from the checkpoint in the folder instead of from the start
+    bool previous = false;            ///< and that from the checkpoint before the last
     bool pictures = true;
     bool quiet = false; ///< no progress line, no report
 };

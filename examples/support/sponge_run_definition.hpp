@@ -5,7 +5,7 @@
 #include "sponge_run.hpp"
 
 #include <imbibe/imbibe.hpp>
-#include <imbibe/output/checkpoint.hpp>
+#include <imbibe/output/recover.hpp>
 #include <imbibe/presets/compiled.hpp>
 
 #include <csignal>
@@ -44,19 +44,6 @@ private:
 /// Thrown by the run's observer when the user wants it to end.
 struct StoppedByUser {};
 
-/// Writes the particles of a run that went wrong, for ParaView, and says so in `failure`.
-template <class Scene>
-void keep_what_broke(const Scene& scene, const std::filesystem::path& folder, std::string& failure) {
-    try {
-        Snapshots snapshots(folder);
-        snapshots(scene);
-        failure += ". The particles as they were: " + folder.string() +
-                   "; --restart goes on from the last checkpoint, which was good, for example with a smaller --cfl";
-    } catch (const Error& error) {
-        failure += std::string(". Its particles could not be written: ") + error.what();
-    }
-}
-
 template <class C, class Real>
 SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const SpongeOutput& output) {
     using Water = typename C::Water;
@@ -74,7 +61,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     CheckpointNotes notes;
     if (output.restart) {
         const int sponge_at_start = sponge.size();
-        notes = read_checkpoint(scene, checkpoint);
+        notes = read_checkpoint(scene, output.previous ? checkpoint.string() + ".previous" : checkpoint.string());
         require(sponge.size() == sponge_at_start && notes["water at start"] == water_at_start, "the checkpoint in ",
                 output.folder.string(), " is of another case: it began with ", notes["water at start"], " water and ",
                 sponge.size(), " sponge particles, this one with ", water_at_start, " and ", sponge_at_start,
@@ -110,7 +97,8 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                                       {"momentum along z", "kg m/s"},
                                       {"least density of the water", "kg/m^3"},
                                       {"greatest density of the water", "kg/m^3"},
-                                      {"time step", "s"}};
+                                      {"time step", "s"},
+                                      {"what limits the time step"}};
     const auto path = output.folder / "sponge.csv";
     Table table =
         output.restart ? Table::resume(path, columns, static_cast<std::size_t>(notes["rows"])) : Table(path, columns);
@@ -173,7 +161,8 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                    potential_energy(water, s.settings().gravity), compression_energy(water), kinetic_energy(sponge),
                    stored_energy<C>(sponge), all[0], all[1], all[2],
                    water.size() > 0 ? static_cast<double>(water[density].minCoeff()) : 0.0,
-                   water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds});
+                   water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds,
+                   s.last_step().reason + ", " + s.last_step().where});
     };
     auto rows = every(output.table_interval, measure);
     auto pictures =
@@ -199,12 +188,14 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                 pictures(s);
             if (!output.quiet)
                 progress(s);
-            if (stop_asked)
+            if (stop_asked && s.search_is_due()) // where a checkpoint does not change what comes after it
                 throw StoppedByUser{};
             guard(s);
             if (checkpoints.due(s))
                 guard.look(s);
             checkpoints(s, keep_notes);
+            if (s.steps() == 0) // so that there is always one to go back to
+                write_checkpoint(s, checkpoint, keep_notes());
         });
         write_checkpoint(scene, checkpoint, keep_notes()); // from which the run can go on to a later end
     } catch (const StoppedByUser&) {
@@ -216,8 +207,9 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
             result.failure = std::string("stopped by the user, and no checkpoint could be written: ") + error.what();
         }
     } catch (const Error& error) {
-        result.failure = error.what();
-        keep_what_broke(scene, output.folder / "broken", result.failure);
+        result.failure = error.what() + keep_offending_state(scene, output.folder / "broken") +
+                         "; --restart goes on from the last checkpoint, which was good, for example with a smaller "
+                         "--cfl";
     }
     result.drained = below();
     result.end = scene.time();

@@ -10,6 +10,7 @@
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/checkpoint.hpp>
 #include <imbibe/output/recover.hpp>
 #include <imbibe/solid/clamped.hpp>
@@ -39,6 +40,9 @@ struct Contact : sph::Coupling<Water, Block, sph::Into<Block, sph::PressureExtra
                                sph::Into<Water, sph::VolumeContinuity<K>>> {};
 template <class Real, class Integrator = sph::SymplecticEuler>
 using Scene = sph::Solver<2, Real, Integrator, Water, Block, Contact>;
+struct LooseContact
+    : sph::Coupling<Water, Block, sph::Into<Block, sph::PressureExtrapolation<K>>,
+                    sph::VolumePressure<K, sph::Tension::none>, sph::Into<Water, sph::VolumeContinuity<K>>> {};
 
 template <class Real, class Integrator = sph::SymplecticEuler>
 Scene<Real, Integrator> make(double density = 1000, int search_interval = 1, double time_step = 0) {
@@ -173,6 +177,9 @@ TEST_CASE("The checkpoint before is kept, and a full disk leaves both", "[checkp
     }
     CHECK((output_test::content(path) == second));
     CHECK((output_test::content(path.string() + ".previous") == first));
+    auto earlier = make<float>();
+    sph::read_checkpoint(earlier, path.string() + ".previous");
+    CHECK(earlier.steps() == 10);
 }
 
 TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays", "[checkpoint]") {
@@ -218,6 +225,14 @@ TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays"
     lost.get<Water>()[sph::position](3, 0) = std::numeric_limits<float>::quiet_NaN();
     REQUIRE_THROWS_WITH(sph::write_checkpoint(lost, path), imbibe_test::contains("not a finite number"));
     CHECK((output_test::content(path) == good));
+    auto leaping = make<float, sph::Leapfrog>();
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(leaping, path),
+                        imbibe_test::contains("SymplecticEuler") && imbibe_test::contains("Leapfrog"));
+    sph::Solver<2, float, sph::SymplecticEuler, Water, Block, LooseContact> loose(scene.settings());
+    loose.add(Water{{.density = 1000, .sound_speed = 20}}, {{0.5, 0.5}}, 0.05);
+    Block block = static_cast<const Block&>(scene.get<Block>().material());
+    loose.add(block, {{0.5, 0.1}}, 0.05);
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(loose, path), imbibe_test::contains("of another scene"));
     auto heavier = make<float>(1100);
     REQUIRE_THROWS_WITH(sph::read_checkpoint(heavier, path), imbibe_test::contains("density 1100"));
 }
@@ -232,6 +247,27 @@ TEST_CASE("Checkpoints by wall time", "[checkpoint]") {
     auto other = make<float>();
     CHECK(sph::read_checkpoint(other, path).at("steps") == double(scene.steps()));
     REQUIRE_THROWS_WITH(sph::Checkpoints(path, -1), imbibe_test::contains("-1"));
+}
+
+TEST_CASE("Checkpoints by simulated time", "[checkpoint]") {
+    const auto path = output_test::fresh("checkpoint_simulated") / "run";
+    auto scene = make<float>();
+    sph::Checkpoints checkpoints(path, 1e6, 0.01);
+    std::vector<double> written;
+    scene.run_until(0.035, [&](auto& s) {
+        if (checkpoints(s, [] { return sph::CheckpointNotes{}; }))
+            written.push_back(s.time());
+    });
+    REQUIRE(written.size() == 3);
+    for (int k = 0; k < 3; ++k) {
+        CHECK(written[static_cast<std::size_t>(k)] >= 0.01 * (k + 1) * (1 - 1e-6));
+        CHECK(written[static_cast<std::size_t>(k)] < 0.01 * (k + 1) + 2 * scene.last_step().seconds);
+    }
+    scene.run_until(0.05, sph::every(0.01, [&](auto& s) { sph::write_checkpoint(s, path); }));
+    auto other = make<float>();
+    sph::read_checkpoint(other, path);
+    CHECK(other.time() > 0.0499);
+    REQUIRE_THROWS_WITH(sph::Checkpoints(path, 1, -0.5), imbibe_test::contains("-0.5 s"));
 }
 
 TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpoint]") {
@@ -254,6 +290,10 @@ TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpo
     auto hopeless = make<float>(1000, 1, 20 * limit);
     sph::Guard<2> again({.interval = 1});
     CHECK_THROWS_AS(sph::run_and_recover(hopeless, 0.3, again, path, 1e6, 1, [](const sph::Error&) {}), sph::Error);
+    auto good = make<float>(1000, 1, 20 * limit); // both are on the disk: the last good state and what went wrong
+    sph::read_checkpoint(good, path);
+    CHECK(good.time() < hopeless.time());
+    CHECK(std::filesystem::exists(path.string() + ".broken/water.pvd"));
 }
 
 } // namespace checkpoint_test

@@ -52,14 +52,24 @@ TEST_CASE("a table keeps every bit of a number", "[output]") {
 TEST_CASE("a table refuses what does not fit", "[output]") {
     const auto folder = fresh("table_bad");
     Table table(folder / "run.csv", columns);
-    REQUIRE_THROWS_WITH(table.row({1, 2}), contains("2 numbers for 3 columns"));
-    REQUIRE_THROWS_WITH(table.row({1, 2, 3, 4}), contains("4 numbers for 3 columns"));
+    REQUIRE_THROWS_WITH(table.row({1, 2}), contains("2 cells for 3 columns"));
+    REQUIRE_THROWS_WITH(table.row({1, 2, 3, 4}), contains("4 cells for 3 columns"));
     CHECK(content(folder / "run.csv") == "time [s],drained mass [kg],steps\n");
     REQUIRE_THROWS_WITH(Table(folder / "none" / "run.csv", columns), contains("cannot write the table"));
     REQUIRE_THROWS_WITH(Table(folder / "x.csv", {}), contains("no columns"));
     REQUIRE_THROWS_WITH(Table(folder / "x.csv", {{"a", "m"}, {"a", "s"}}), contains("two columns are called a"));
     REQUIRE_THROWS_WITH(Table(folder / "x.csv", {{"a\n", "m"}}), contains("cannot head a column"));
     CHECK_FALSE(std::filesystem::exists(folder / "x.csv"));
+}
+
+TEST_CASE("a table takes words beside numbers", "[output]") {
+    const auto path = fresh("table_words") / "run.csv";
+    Table table(path, {{"time", "s"}, {"limit"}, {"steps"}});
+    table.row({0.5, "", 3.0});
+    table.row({0.625, "elastic wave, Sponge", 4.0});
+    CHECK(content(path) == "time [s],limit,steps\n0.5,,3\n0.625,\"elastic wave, Sponge\",4\n");
+    REQUIRE_THROWS_WITH(table.row({1.0, "two\nlines", 2.0}), contains("cannot stand in a row"));
+    REQUIRE_THROWS_WITH(table.row({1.0, "too few"}), contains("2 cells for 3 columns"));
 }
 
 TEST_CASE("a table says so when the disk is full", "[output]") {

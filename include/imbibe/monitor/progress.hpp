@@ -78,7 +78,7 @@ public:
     }
     /// Is called after every step.
     template <class Scene>
-    void operator()(const Scene& scene) {
+    void operator()(Scene& scene) {
         if (scene.time() < next_ * interval_ * (1 - 1e-9))
             return;
         what_(scene);

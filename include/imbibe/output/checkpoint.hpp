@@ -11,7 +11,9 @@
 #include <chrono>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <optional>
 
 namespace imbibe {
 
@@ -20,7 +22,7 @@ using CheckpointNotes = std::map<std::string, double>;
 
 namespace detail {
 
-inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 2\n";
+inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 3\n";
 inline constexpr std::string_view end_of_checkpoint_head = "----\n";
 
 /// A 64-bit checksum (FNV-1a, Fowler, Noll and Vo).
@@ -104,6 +106,11 @@ std::string checkpoint_head(const Scene& scene) {
         name(typename Scene::template FieldsOf<P>{});
         out << "\nterms of " << type_name<P>() << ": " << list_name<typename P::terms>() << '\n';
     });
+    const auto name_couplings = [&]<class... C>(TypeList<C...>) {
+        ((out << "terms of " << type_name<C>() << ": " << list_name<typename C::terms>() << '\n'), ...);
+    };
+    name_couplings(typename Scene::Couplings{});
+    out << "integrator " << list_name<TypeList<typename Scene::Integrator>>() << '\n';
     for (std::size_t d = 0; d < Scene::dimension; ++d)
         out << "direction " << d << ": origin " << scene.settings().origin[d] << " m, periodic from "
             << scene.settings().periodic_lower[d] << " m over " << scene.settings().periodic_length[d] << " m\n";
@@ -132,6 +139,10 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
 ///
 /// The file is written beside its place, forced to the disk and then given its name in one step: whenever the program
 /// ends, there is a whole checkpoint. It begins with a readable description of the scene and ends with a checksum.
+///
+/// The run that goes on and one that is continued from the file both find neighbours anew at the next step, and stay
+/// the same to the last bit. A run that writes none goes the same way only where that step would have found them anyway
+/// (Solver::search_is_due): always, unless Settings::search_interval is above 1. Checkpoints waits for such a step.
 /// @param scene what is written
 /// @param path the file
 /// @param notes numbers of the program that go along
@@ -219,23 +230,29 @@ CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path)
     return detail::restore(scene, all, path.string());
 }
 
-/// An observer for `run_until` that writes a checkpoint every so many seconds of wall time, where Settings::
-/// search_interval is above 1 at the next step that searches: so when they are written does not change a bit of the
-/// run.
+/// An observer for `run_until` that writes a checkpoint every so many seconds of wall time, or of simulated time, where
+/// Settings::search_interval is above 1 at the next step that searches: so when they are written does not change a bit
+/// of the run.
 class Checkpoints {
 public:
     /// @param path the file to write
     /// @param seconds of wall time between two checkpoints
-    /// @throws Error now if the folder cannot be written
-    Checkpoints(std::filesystem::path path, double seconds) : path_(std::move(path)), seconds_(seconds) {
+    /// @param simulated time between two, s: one is due at every multiple of it, too; infinite: by wall time only
+    /// @throws Error now if the folder cannot be written, or for an interval out of range
+    Checkpoints(std::filesystem::path path, double seconds,
+                double simulated = std::numeric_limits<double>::infinity())
+        : path_(std::move(path)), seconds_(seconds), simulated_(simulated) {
         require(std::isfinite(seconds) && seconds >= 0, "seconds between checkpoints = ", seconds,
                 "; it must be a finite number not below 0");
+        require(simulated > 0, "simulated time between checkpoints = ", simulated, " s; it must be above 0 s");
         require_writable(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
     }
     /// Will one be written now?
     template <class Scene>
     bool due(const Scene& scene) const {
-        return std::chrono::duration<double>(Clock::now() - written_).count() >= seconds_ && scene.search_is_due();
+        return (std::chrono::duration<double>(Clock::now() - written_).count() >= seconds_ ||
+                multiple(scene.time()) > multiple(written_at_.value_or(scene.time()))) &&
+               scene.search_is_due();
     }
     /// Writes one if it is due.
     template <class Scene>
@@ -245,18 +262,24 @@ public:
     /// The same with the program's own numbers, which `notes()` returns. True if a checkpoint was written.
     template <class Scene, class Notes>
     bool operator()(Scene& scene, const Notes& notes) {
-        if (!due(scene))
-            return false;
-        write_checkpoint(scene, path_, notes());
-        written_ = Clock::now();
-        return true;
+        const bool now = due(scene);
+        if (now) {
+            write_checkpoint(scene, path_, notes());
+            written_ = Clock::now();
+        }
+        if (now || !written_at_)
+            written_at_ = scene.time();
+        return now;
     }
 
 private:
     using Clock = std::chrono::steady_clock;
+    double multiple(double time) const { return std::floor(time / simulated_ * (1 + 1e-9)); }
+
     std::filesystem::path path_;
-    double seconds_;
+    double seconds_, simulated_;
     Clock::time_point written_ = Clock::now();
+    std::optional<double> written_at_; ///< simulated time, s; until one is written that of the first call
 };
 
 } // namespace imbibe

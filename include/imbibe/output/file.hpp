@@ -12,6 +12,7 @@
 #include <utility>
 
 #if __has_include(<unistd.h>)
+#include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
 #endif
@@ -62,7 +63,8 @@ public:
     void commit_to_disk(const F& before) {
         out_.close();
         check();
-        force(temporary_);
+        if (!force(temporary_))
+            refuse();
         before();
         rename();
         force(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
@@ -75,19 +77,24 @@ private:
         require(!error, "cannot give ", temporary_.string(), " its name ", path_.string(), ": ", error.message());
         committed_ = true;
     }
-    // Empties the system's buffers of a file or folder; where the system cannot, nothing is lost but that guarantee.
-    static void force([[maybe_unused]] const std::filesystem::path& path) {
+    // Empties the system's buffers of a file or folder. False where the disk refuses what is in them; where the system
+    // does not offer this, nothing is lost but that guarantee.
+    static bool force([[maybe_unused]] const std::filesystem::path& path) {
 #if __has_include(<unistd.h>)
         const int file = ::open(path.c_str(), O_RDONLY);
         if (file >= 0) {
-            ::fsync(file);
+            const bool refused = ::fsync(file) != 0 && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP;
             ::close(file);
+            return !refused;
         }
 #endif
+        return true;
     }
     void check() const {
-        if (out_.good())
-            return;
+        if (!out_.good())
+            refuse();
+    }
+    [[noreturn]] void refuse() const {
         std::error_code error;
         const auto space = std::filesystem::space(path_.has_parent_path() ? path_.parent_path() : ".", error);
         throw Error(

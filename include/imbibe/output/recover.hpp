@@ -3,11 +3,26 @@
 
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/output/checkpoint.hpp>
+#include <imbibe/output/snapshots.hpp>
 
 namespace imbibe {
 
+/// Writes the particles of a scene that went wrong into `folder`, for ParaView. Returns a sentence about it, to be put
+/// behind the message of the error; also where they could not be written.
+template <class Scene>
+std::string keep_offending_state(const Scene& scene, const std::filesystem::path& folder) {
+    try {
+        Snapshots snapshots(folder);
+        snapshots(scene);
+        return ". The particles as they were: " + folder.string();
+    } catch (const Error& error) {
+        return std::string(". The particles could not be written: ") + error.what();
+    }
+}
+
 /// Runs `scene` to `end`, s, under `guard` with a checkpoint every `seconds` of wall time, each looked at by the guard
-/// before it is written. Where the guard, or the solver, stops the run, the scene goes back to the last checkpoint and
+/// before it is written. Where the guard, or the solver, stops the run, its particles are written to the folder
+/// `<checkpoint>.broken`, for ParaView, and the scene goes back to the last checkpoint and
 /// goes on with steps half as long, at most `retries` times; `returned(error)` is told so each time, once the scene is
 /// back. Observers see time go back then: a table or a series of snapshots gets rows twice, unless `returned` mends
 /// it.
@@ -26,6 +41,7 @@ void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::fil
             });
             return;
         } catch (const Error& error) {
+            keep_offending_state(scene, checkpoint.string() + ".broken");
             if (retries <= 0)
                 throw;
             read_checkpoint(scene, checkpoint);

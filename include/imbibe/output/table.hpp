@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace imbibe {
@@ -23,6 +24,9 @@ struct Column {
     /// Its SI unit; empty for a pure number.
     std::string unit = {};
 };
+
+/// What stands in one place of a table: a number, or words.
+using Cell = std::variant<double, std::string>;
 
 /// A CSV file that grows by one row at a time. The first line names the columns as `name [unit]`; every row is on disk
 /// when row() returns, and numbers have as many digits as it takes to read the same double back.
@@ -60,20 +64,27 @@ public:
     /// Appends one row. Throws Error unless it has one number for each column, and when the disk refuses it; the rows
     /// before it stay.
     void row(std::span<const double> values) {
-        require(values.size() == columns_.size(), "table ", path_.string(), ": a row has ", values.size(),
-                " numbers for ", columns_.size(), " columns");
         std::string line;
-        for (const double value : values) {
-            std::array<char, 32> digits{};
-            const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-            if (!line.empty())
-                line += ',';
-            line.append(digits.data(), end);
-        }
-        write(line + "\n");
+        for (const double value : values)
+            line += number(value) + ',';
+        write_row(line, values.size());
     }
     /// Appends one row.
     void row(std::initializer_list<double> values) { row(std::span<const double>(values.begin(), values.size())); }
+    /// Appends one row of numbers and words. Throws Error for words with a line break or quotation mark in them, too.
+    void row(std::initializer_list<Cell> cells) {
+        std::string line;
+        for (const Cell& cell : cells) {
+            if (const auto* words = std::get_if<std::string>(&cell)) {
+                require(words->find_first_of("\"\r\n") == std::string::npos, "table ", path_.string(), ": '", *words,
+                        "' cannot stand in a row; it must not contain \" or a line break");
+                line += quoted(*words) + ',';
+            } else {
+                line += number(std::get<double>(cell)) + ',';
+            }
+        }
+        write_row(line, cells.size());
+    }
 
     /// The columns, in order.
     [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
@@ -97,14 +108,23 @@ private:
 
     static std::string first_line(const std::vector<Column>& columns) {
         std::string line;
-        for (const auto& [name, unit] : columns) {
-            const bool quoted = (name + unit).find(',') != std::string::npos;
-            line.append(line.empty() ? "" : ",").append(quoted ? "\"" : "").append(name);
-            if (!unit.empty())
-                line.append(" [").append(unit).append("]");
-            line.append(quoted ? "\"" : "");
-        }
+        for (const auto& [name, unit] : columns)
+            line += quoted(unit.empty() ? name : name + " [" + unit + "]") + ',';
+        line.pop_back();
         return line;
+    }
+    static std::string quoted(const std::string& words) {
+        return words.find(',') == std::string::npos ? words : '"' + words + '"';
+    }
+    static std::string number(double value) {
+        std::array<char, 32> digits{};
+        return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+    }
+    void write_row(std::string& line, std::size_t cells) { // each of its cells ends with a comma
+        require(cells == columns_.size(), "table ", path_.string(), ": a row has ", cells, " cells for ",
+                columns_.size(), " columns");
+        line.back() = '\n';
+        write(line);
     }
     void write(const std::string& line) {
         out_.write(line.data(), static_cast<std::streamsize>(line.size()));

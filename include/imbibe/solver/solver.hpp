@@ -20,9 +20,9 @@ struct PhaseHandle {};
 /// A scene.
 /// @tparam dim 2 or 3
 /// @tparam Real_ float or double
-/// @tparam Integrator how a step is made of rates; see time/
+/// @tparam Integrator_ how a step is made of rates; see time/
 /// @tparam Items the phases and the couplings between them, in any order
-template <int dim, class Real_, class Integrator, class... Items>
+template <int dim, class Real_, class Integrator_, class... Items>
 class IMBIBE_PER_BUILD Solver {
 public:
     /// What the compiler worked out: fields, rows, plans.
@@ -32,6 +32,8 @@ public:
 
     /// The type of all stored numbers.
     using Real = Real_;
+    /// How a step is made of rates.
+    using Integrator = Integrator_;
     /// 2 or 3.
     static constexpr int dimension = dim;
     /// How many numbers the processor computes at once.

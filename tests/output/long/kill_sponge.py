@@ -4,12 +4,15 @@ what one uninterrupted run leaves: the same bytes in the table, the last checkpo
 
     python3 tests/output/long/kill_sponge.py build/sponge [--kills 100] [--seed 1]
 
-After each kill every file that carries its final name must be whole; the run goes on from its checkpoint.
+After each kill every file that carries its final name must be whole; the run goes on from its checkpoint. Before that
+the same is asked of a run that Ctrl-C ends, and of one whose last checkpoint is damaged and that goes on from the one
+before.
 """
 import argparse
 import os
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -73,6 +76,40 @@ def run_with_kills(sponge, folder, chance, most, longest):
         return kills, fresh_starts
 
 
+def expect_same(folder, expected, after):
+    found = results(folder)
+    if sorted(found) != sorted(expected):
+        fail(f"after {after} there are other files: {sorted(set(found) ^ set(expected))}")
+    for name, content in expected.items():
+        if found[name] != content:
+            shutil.copytree(folder.parent, "kill_sponge_differs", dirs_exist_ok=True)
+            fail(f"after {after} {name} differs; both are in kill_sponge_differs")
+
+
+def interrupt(sponge, folder, seconds):
+    """Ctrl-C half-way: the run ends by itself and says so; then its last checkpoint is damaged, which is refused, and
+    the run goes on from the one before."""
+    process = subprocess.Popen(command(sponge, folder), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                               env=SURROUNDINGS)
+    time.sleep(seconds / 2)
+    process.send_signal(signal.SIGINT)
+    words = process.communicate(timeout=60)[0].decode()
+    if process.returncode == 0 or "--restart goes on from here" not in words:
+        fail(f"after Ctrl-C the run ended with {process.returncode}:\n{words[-2000:]}")
+    whole = shutil.copytree(folder, folder.with_name("interrupted"))
+    subprocess.run(command(sponge, whole, "--restart"), check=True, stdout=subprocess.DEVNULL, env=SURROUNDINGS)
+    checkpoint = folder / "checkpoint"
+    content = bytearray(checkpoint.read_bytes())
+    content[len(content) // 2] ^= 1
+    checkpoint.write_bytes(content)
+    refused = subprocess.run(command(sponge, folder, "--restart"), capture_output=True, text=True, env=SURROUNDINGS)
+    if refused.returncode == 0 or "checksum is wrong" not in refused.stderr:
+        fail(f"a damaged checkpoint was taken, or without a reason:\n{refused.stderr}")
+    subprocess.run(command(sponge, folder, "--restart", "--previous"), check=True, stdout=subprocess.DEVNULL,
+                   env=SURROUNDINGS)
+    return whole
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sponge")
@@ -90,22 +127,21 @@ def main():
         if len(expected) < 10:
             fail(f"the uninterrupted run left only {sorted(expected)}")
 
+        stopped = interrupt(options.sponge, Path(scratch) / "stopped", seconds)
+        expect_same(stopped, expected, "Ctrl-C")
+        expect_same(Path(scratch) / "stopped", expected, "damage to the last checkpoint")
+        print("after Ctrl-C, and from the checkpoint before the last: the same bytes", flush=True)
+
         killed = runs = fresh_starts = 0
         while killed < options.kills:
             folder = Path(scratch) / f"killed_{runs}"
             folder.mkdir()
             kills, fresh = run_with_kills(options.sponge, folder, chance, options.kills - killed, seconds / 6)
-            found = results(folder)
-            if sorted(found) != sorted(expected):
-                fail(f"after {kills} kills there are other files: {sorted(set(found) ^ set(expected))}")
-            for name, content in expected.items():
-                if found[name] != content:
-                    shutil.copytree(scratch, "kill_sponge_differs", dirs_exist_ok=True)
-                    fail(f"after {kills} kills {name} differs; both are in kill_sponge_differs")
+            expect_same(folder, expected, f"{kills} kills")
             shutil.rmtree(folder)
             killed, runs, fresh_starts = killed + kills, runs + 1, fresh_starts + fresh
-            print(f"run {runs}: {kills} kills, {fresh} starts without a checkpoint, the same bytes in {len(found)} "
-                  f"files", flush=True)
+            print(f"run {runs}: {kills} kills, {fresh} starts without a checkpoint, the same bytes in "
+                  f"{len(expected)} files", flush=True)
     print(f"{killed} kills in {runs} runs, {fresh_starts} starts without a checkpoint: every run left the same bytes as "
           "the uninterrupted one")
 
