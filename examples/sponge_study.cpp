@@ -56,7 +56,7 @@ std::string signature(const Case& c, const std::string& precision) {
     const auto& n = c.numbers;
     return sph::text(c.name, " ", precision, " spacings ", n.water_spacing, " ", n.solid_spacing, " pool ", n.pool,
                      " freeboard ", n.freeboard, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus,
-                     " K_f ", n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
+                     " H of the sponge ", n.solid_support_ratio, " K_f ", n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
 }
 
 bool says(const std::filesystem::path& path, const std::string& what) {

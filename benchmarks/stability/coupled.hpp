@@ -120,7 +120,7 @@ Outcome free_fall(const Plan& plan) {
     const double end = 0.02;
     const Watch<2> watch{
         .end = end,
-        .signs = {{"relative speed over that of the fall", 0.01}, {"pressure over that of still water", 1}},
+        .signs = {{"relative speed over that of the fall", 0.01}, {"pressure over that of still water", 0.05}},
         .expected_steps = end * 50 / dx};
     return march(scene, plan, watch, [&](const auto& s) {
         const auto w = s[water][sph::velocity], b = s[block][sph::velocity];

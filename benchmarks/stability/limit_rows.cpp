@@ -98,6 +98,13 @@ void add_limits(Table& table) {
     row("TotalLagrangianViscosity, alpha = 20", "shaken block", [](const Plan& p) {
         return shaken_block<2, Kirchhoff2>(p, 0.3, 2.01, sph::TotalLagrangianViscosityParameters{.alpha = 20});
     });
+    row("ReferenceCorrection", "row of particles, rough by 0.4 spacings",
+        [](const Plan& p) { return shaken_sheet<2>(p, 0.4); });
+    for (const double rough : {0.2, 0.3, 0.45})
+        row("ReferenceCorrection", rough == 0.2   ? "sheet of particles, rough by 0.2 spacings"
+                                   : rough == 0.3 ? "sheet of particles, rough by 0.3 spacings"
+                                                  : "sheet of particles, rough by 0.45 spacings",
+            [=](const Plan& p) { return shaken_sheet<3>(p, rough); });
     row("paper's hypoelastic, nu 0.3", "shaken block",
         [](const Plan& p) { return shaken_block<2, Hypoelastic::Body>(p, 0.3, 2); });
     row("a spring to the origin", "one particle, let go a spacing away", swing<Spring>);

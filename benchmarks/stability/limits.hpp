@@ -88,6 +88,21 @@ Outcome shaken_block(const Plan& plan, double poisson, double support, const Par
     return march_shaken<dim>(scene, block, 1e-4 * body.longitudinal_wave_speed(), plan);
 }
 
+/// A sheet of single particles of a total-Lagrangian solid, in 2D a row, moved by up to `rough` spacings, shaken.
+template <int dim>
+Outcome shaken_sheet(const Plan& plan, double rough) {
+    constexpr double spacing = 1e-2;
+    using Body = Hookean::Body;
+    sph::Solver<dim, double, sph::SymplecticEuler, Body> scene({.support_radius = 2.01 * spacing, .threads = 1});
+    const auto body = elastic<Body>(young, 0.3, rho);
+    const sph::Point<dim> lower = sph::Point<dim>::Zero();
+    sph::Point<dim> upper = sph::Point<dim>::Constant(dim == 2 ? 0.14 : 0.08);
+    upper[dim - 1] = spacing;
+    const auto flat = sph::fill(sph::Box<dim>{lower, upper}, spacing);
+    const auto sheet = scene.add(body, sph::jitter<dim>(flat, rough * spacing, 7), spacing);
+    return march_shaken<dim>(scene, sheet, 1e-4 * body.longitudinal_wave_speed(), plan);
+}
+
 struct Floor : sph::Wall<> {};
 struct Stones : sph::Fluid<> {};
 template <class Repulsion>

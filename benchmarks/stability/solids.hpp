@@ -175,7 +175,7 @@ Outcome colliding_rings(const Plan& plan) {
         view[sph::velocity](i, 0) = static_cast<Real>(view[sph::position](i, 0) < 0 ? v : -v);
     const Watch<2> watch{.end = 0.04 / v,
                          .guard = {.energy = 0.05},
-                         .signs = {{"spacings over the least distance of a pair", 3}},
+                         .signs = {{"spacings over the least distance of a pair", 2}},
                          .every = 20,
                          .expected_steps = 0.04 / v * body.longitudinal_wave_speed() / spacing};
     return march(scene, plan, watch, [&](const auto& s) { return std::vector{1 / closest_pair(s[rings])}; });

@@ -30,7 +30,9 @@ inline void add_method_options(CLI::App& app, std::string& composition, std::str
 inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
     add_millimetres(app, "--pore-radius", numbers.pore_radius, "pore radius, mm");
     add_millimetres(app, "--support", numbers.support_radius, "kernel support radius h of the paper's composition, mm");
-    app.add_option("--support-ratio", numbers.support_ratio, "supports of the sound composition, in spacings")
+    app.add_option("--support-ratio", numbers.support_ratio, "support of the water, sound composition, in spacings")
+        ->capture_default_str();
+    app.add_option("--sponge-support-ratio", numbers.solid_support_ratio, "of the sponge, sound composition, in spacings")
         ->capture_default_str();
     add_millimetres(app, "--water-spacing", numbers.water_spacing, "distance of the water particles, mm");
     add_millimetres(app, "--sponge-spacing", numbers.solid_spacing, "distance of the sponge particles, mm");
@@ -67,6 +69,7 @@ inline void refuse_options_of_the_other(const CLI::App& app, const std::string& 
                                              {"--artificial-stress", true},
                                              {"--stiffness", true},
                                              {"--support-ratio", false},
+                                             {"--sponge-support-ratio", false},
                                              {"--accuracy", false},
                                              {"--young-modulus", false},
                                              {"--cfl", false}}) {

@@ -1,5 +1,6 @@
 // A coupling of a phase with itself: what acts within a phase is a term of the phase.
 // expect: SamePhaseTwice<Water,
+// expect: couple_two_different_phases
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};

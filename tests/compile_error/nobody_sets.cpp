@@ -1,6 +1,6 @@
 // A fluid without an equation of state: nobody sets the pressure that the pressure gradient reads.
 // expect: NobodySets<imbibe::Pressure, imbibe::SymmetricPressure<imbibe::WendlandC2>, Water,
-// expect: add_a_term_that_sets_it
+// expect: add_an_equation_of_state_such_as_Tait
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Continuity<K>, sph::SymmetricPressure<K>> {};

@@ -1,6 +1,6 @@
 // A density that is set, and to whose rate another term adds.
 // expect: SetTwice<imbibe::Density, imbibe::SummationDensity<
-// expect: imbibe::detail::Advance<
+// expect: imbibe::VolumeContinuity<
 // expect: Water
 #include "scene.hpp"
 

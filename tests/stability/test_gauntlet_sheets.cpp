@@ -7,7 +7,7 @@ using stability::Hookean;
 
 TEST_CASE("Sheets, threads and single particles of a solid are neither torn nor blown up", "[stability]") { // row 4
     for (const double rough : {0.05, 0.2})
-        check_margin(stability::thin_solids<Hookean>, rough);
+        check_preset(stability::thin_solids<Hookean>, rough);
     // a correction that does not give way does not bear a sheet that is a little rough
     const Outcome stubborn =
         stability::thin_solids_with<Hookean>({.value = 0.05}, {.full_above = 1e-5, .none_below = 1e-6});

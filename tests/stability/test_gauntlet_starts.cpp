@@ -10,9 +10,9 @@ TEST_CASE("Particles that coincide are refused, those that nearly do come apart 
     const double close = 0.9e-3 * stability::dx;
     CHECK_THROWS_WITH((stability::add_water<stability::WeaklyCompressible>(scene, {{0, 0}, {close, 0}}, 30)),
                       imbibe_test::contains("Water") && imbibe_test::contains("coincide"));
-    check_margin(stability::columns_in_pairs<stability::WeaklyCompressible>, 0.01);
+    check_preset(stability::columns_in_pairs<stability::WeaklyCompressible>, 0.01);
     check_margin(stability::columns_in_pairs<stability::Riemann>, 0.01);
-    check_margin(stability::water_in_solid<stability::SoundCoupling>, 2.5);
+    check_preset(stability::water_in_solid<stability::SoundCoupling>, 2.5);
 }
 
 TEST_CASE("The distance of the nearest pair of two phases is what a limit is given", "[stability]") {

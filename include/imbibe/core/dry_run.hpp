@@ -2,6 +2,7 @@
 // which side of the pair? What it returns is thrown away; the record becomes the part's row in the schedule.
 #pragma once
 
+#include <imbibe/core/rule.hpp>
 #include <imbibe/core/term.hpp>
 
 namespace imbibe {
@@ -21,14 +22,6 @@ struct DeclaresWhatItDoesNotRead {
 } // namespace rules
 
 namespace detail {
-
-// Prints the rule's message, once: a class is completed when it is named as a base, and its static_assert fires. It is
-// not touched again, so that neither compiler has a second complaint.
-template <class Rule>
-constexpr bool break_rule() {
-    struct Broken : Rule {};
-    return true;
-}
 
 template <class Material>
 inline constexpr Material default_material{};
@@ -105,8 +98,9 @@ inline constexpr auto reads_on = dry_run<Part, dim, MaterialA, MaterialB>();
 template <class Part, bool is_read, class F>
 constexpr bool check_read() {
     if constexpr (!is_read)
-        break_rule<rules::DeclaresWhatItDoesNotRead<F, Part>>();
-    return true;
+        return break_rule<rules::DeclaresWhatItDoesNotRead<F, Part>>();
+    else
+        return true;
 }
 
 template <class Part, auto seen, class... F>

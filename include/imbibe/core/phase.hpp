@@ -52,6 +52,15 @@ inline void require_positive(double value, std::string_view phase, std::string_v
 
 } // namespace detail
 
+struct list_the_term_that_they_are_of;
+namespace rules {
+/// Rule: parameters are given to a phase or coupling that lists the term they are of.
+template <class Parameters, class TheirsAre, class Advice>
+struct NoTermHasTheseParameters {
+    static_assert(sizeof(Parameters) == 0, "imbibe: no term of this phase or coupling has these parameters");
+};
+} // namespace rules
+
 /// The numerical coefficients of a list of terms: one value of each term's `Parameters`.
 template <class... Terms>
 struct Coefficients {
@@ -63,12 +72,23 @@ struct Coefficients {
     /// The parameters of type P, to read or to change: `phase.coefficients.get<ArtificialStressParameters>()`.
     template <class P>
     constexpr P& get() {
-        return std::get<P>(all);
+        return *find<P>(all);
     }
     /// The same, to read.
     template <class P>
     constexpr const P& get() const {
-        return std::get<P>(all);
+        return *find<P>(all);
+    }
+
+private:
+    template <class P>
+    static constexpr auto find(auto& values) {
+        if constexpr (detail::contains<P, List>) {
+            return &std::get<P>(values);
+        } else {
+            detail::break_rule<rules::NoTermHasTheseParameters<P, List, list_the_term_that_they_are_of>>();
+            return &detail::nothing<P>();
+        }
     }
 };
 

@@ -7,7 +7,9 @@
 // Besides its fields a particle has `material`, `gravity()` and `time_step`, the length of the step that is taken, s.
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
 // `static constexpr bool once = true;` (evaluated when the particles are added, not in every step).
-// Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part),
+// Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part), `using effect`
+// (what only one term of a phase may be, see below), `static constexpr bool of_solids = true;` (it asks for the elastic
+// moduli of `Solid`),
 // `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`. A force that is
 // stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on accelerations,
 // sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
@@ -15,12 +17,28 @@
 
 #include <imbibe/core/field.hpp>
 #include <imbibe/core/fields.hpp>
+#include <imbibe/core/rule.hpp>
 
 #include <cstddef>
 #include <limits>
 #include <tuple>
 
 namespace imbibe {
+
+/// Effects of which a phase, or each side of a coupling, has one term only: two forms of the same equation, both
+/// listed, would count it twice. A term says `using effect = effects::pressure_force;`.
+namespace effects {
+struct continuity_equation; ///< the rate of the density by the motion
+struct pressure_force;      ///< the force of the pressure's gradient
+} // namespace effects
+
+namespace rules {
+/// Rule: where a term takes a kernel it is given one.
+template <class Given>
+struct NotAKernel {
+    static_assert(sizeof(Given) == 0, "imbibe: a term is given this where it takes a kernel, such as WendlandC2");
+};
+} // namespace rules
 
 /// The parts of a term.
 template <class... P>
@@ -63,29 +81,34 @@ struct Pair {
     /// W_ab of a kernel with this pair's support radius, 1/m^dim.
     template <class Kernel>
     IMBIBE_INLINE constexpr T value(Kernel) const {
-        return scale<dim>(Kernel::template normalisation<dim>()) * Kernel::value(q());
+        if constexpr (!is_kernel<Kernel>)
+            return not_a_kernel<Kernel>();
+        else
+            return scale<dim>(factor<Kernel>) * Kernel::value(q());
     }
     /// The factor F_ab with grad_a W_ab = F_ab (x_a - x_b), 1/m^(dim+2): negative where W falls with distance.
     template <class Kernel>
     IMBIBE_INLINE constexpr T gradient(Kernel) const {
-        constexpr double normalisation = Kernel::template normalisation<dim>();
-        if constexpr (requires(T x) { Kernel::derivative_over_q(x, x); })
-            return Kernel::derivative_over_q(q(), scale<dim + 2>(normalisation));
+        if constexpr (!is_kernel<Kernel>)
+            return not_a_kernel<Kernel>();
+        else if constexpr (requires(T x) { Kernel::derivative_over_q(x, x); })
+            return Kernel::derivative_over_q(q(), scale<dim + 2>(factor<Kernel>));
         else if constexpr (requires(T x) { Kernel::derivative_over_q(x); })
-            return scale<dim + 2>(normalisation) * Kernel::derivative_over_q(q());
+            return scale<dim + 2>(factor<Kernel>) * Kernel::derivative_over_q(q());
         else if constexpr (requires(T x) { Kernel::derivative(x, x); })
-            return Kernel::derivative(q(), scale<dim + 1>(normalisation)) * inverse_distance();
+            return Kernel::derivative(q(), scale<dim + 1>(factor<Kernel>)) * inverse_distance();
         else
-            return scale<dim + 1>(normalisation) * Kernel::derivative(q()) * inverse_distance();
+            return scale<dim + 1>(factor<Kernel>) * Kernel::derivative(q()) * inverse_distance();
     }
     /// The Laplacian of W_ab, 1/m^(dim+2).
     template <class Kernel>
     IMBIBE_INLINE constexpr T laplacian(Kernel) const {
-        constexpr double normalisation = Kernel::template normalisation<dim>();
-        if constexpr (requires(T x) { Kernel::laplacian(x, x); })
-            return Kernel::laplacian(q(), scale<dim + 2>(normalisation));
+        if constexpr (!is_kernel<Kernel>)
+            return not_a_kernel<Kernel>();
+        else if constexpr (requires(T x) { Kernel::laplacian(x, x); })
+            return Kernel::laplacian(q(), scale<dim + 2>(factor<Kernel>));
         else
-            return scale<dim + 2>(normalisation) * Kernel::laplacian(q());
+            return scale<dim + 2>(factor<Kernel>) * Kernel::laplacian(q());
     }
     /// W_ab / W(length): how much closer than `length` the pair is, in terms of the kernel. `length` < H.
     template <class Kernel>
@@ -103,6 +126,15 @@ struct Pair {
     }
 
 private:
+    template <class Kernel>
+    static constexpr bool is_kernel = requires { Kernel::template normalisation<dim>(); };
+    template <class Kernel>
+    static constexpr double factor = Kernel::template normalisation<dim>();
+    template <class Kernel>
+    static constexpr T not_a_kernel() {
+        detail::break_rule<rules::NotAKernel<Kernel>>();
+        return T{};
+    }
     template <int n>
     IMBIBE_INLINE constexpr T scale(double normalisation) const {
         return T(normalisation) * power<n>(inverse_support);
@@ -127,6 +159,9 @@ struct TimeStepInput {
     /// The distance of the two phases' nearest particles where the last step began, m: for terms of a coupling that ask
     /// for it by `static constexpr bool limit_by_nearest = true`. Infinite for others, and where none is in reach.
     double nearest = std::numeric_limits<double>::infinity();
+    /// The greatest value of a scalar field in the phase, for terms of a phase that ask for one by
+    /// `using limit_by_greatest = Field`.
+    double greatest = 0;
 };
 
 namespace detail {
@@ -136,9 +171,14 @@ concept HasParts = requires { typename Term::parts; };
 template <class Term>
 concept HasStores = requires { typename Term::stores; };
 
+/// Has it what a term may have: parts, fields that it stores, or the fields of a part?
+template <class T>
+concept IsTerm = HasParts<T> || HasStores<T> || requires { typename T::reads; } || requires { typename T::adds; } ||
+                 requires { typename T::sets; };
+
 template <class Term>
 struct PartsOf {
-    using type = TypeList<Term>;
+    using type = std::conditional_t<IsTerm<Term>, TypeList<Term>, TypeList<>>;
 };
 template <HasParts Term>
 struct PartsOf<Term> {

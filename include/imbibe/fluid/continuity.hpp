@@ -17,6 +17,7 @@ namespace imbibe {
 /// Source: Monaghan (1994); the paper, Eqs. (11) and (22).
 template <class Kernel, auto velocity_field = velocity>
 struct Continuity {
+    using effect = effects::continuity_equation;
     using reads = Fields<mass, velocity_field>;
     using adds = Fields<density_rate>;
 
@@ -36,6 +37,7 @@ struct Continuity {
 /// Source: Colagrossi and Landrini (2003); the paper, Eq. (22), in the form that is consistent across phases.
 template <class Kernel, auto velocity_field = velocity>
 struct VolumeContinuity {
+    using effect = effects::continuity_equation;
     using reads = Fields<mass, density, velocity_field>;
     using adds = Fields<density_rate>;
 

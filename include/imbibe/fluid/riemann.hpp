@@ -73,6 +73,7 @@ struct RiemannPressureParameters {
 /// weakly compressible fluid; with two impedances: Rezavand, Zhang and Hu (2020).
 template <class Kernel = WendlandC2>
 struct RiemannPressure {
+    using effect = effects::pressure_force;
     using Parameters = RiemannPressureParameters;
 
     struct Prepare {
@@ -145,6 +146,7 @@ struct RiemannContinuityParameters {
 /// Fourtakas et al. (2019), linearised.
 template <class Kernel = WendlandC2>
 struct RiemannContinuity {
+    using effect = effects::continuity_equation;
     using Parameters = RiemannContinuityParameters;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<density_rate>;

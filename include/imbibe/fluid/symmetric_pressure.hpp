@@ -25,6 +25,7 @@ inline constexpr PressureOverDensity2 pressure_over_density2{};
 /// of action and reaction.
 template <class Kernel>
 struct SymmetricPressure {
+    using effect = effects::pressure_force;
     struct Prepare {
         using reads = Fields<density, pressure>;
         using sets = Fields<pressure_over_density2>;

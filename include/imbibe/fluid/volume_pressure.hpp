@@ -33,6 +33,7 @@ enum class Tension {
 /// Source: Colagrossi and Landrini (2003); the same average of volumes and pressures, Hu and Adams (2006).
 template <class Kernel = WendlandC2, Tension tension = Tension::pulls>
 struct VolumePressure {
+    using effect = effects::pressure_force;
     struct Push {
         using reads = Fields<mass, volume, pressure>;
         using adds = Fields<acceleration>;

@@ -130,7 +130,7 @@ struct SoundSponge {
         return {{.density = 950,
                  .sound_speed = sound_speed_of(young, c.poisson_ratio, 950),
                  .shear_modulus = shear_modulus_of(young, c.poisson_ratio),
-                 .support_radius = c.support_ratio / 1.3 * c.solid_spacing}};
+                 .support_radius = c.solid_support_ratio * c.solid_spacing}};
     }
 
     /// The scene with its particles. Throws Error for a number of the case that is out of range.

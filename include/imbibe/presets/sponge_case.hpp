@@ -13,7 +13,8 @@ namespace imbibe::presets {
 struct SpongeCase {
     double pore_radius = 1e-3;       ///< m
     double support_radius = 1e-3;    ///< H, m (`PaperSponge`)
-    double support_ratio = 2.6;      ///< H of the water in spacings (`SoundSponge`); the sponge's is 2/2.6 of it
+    double support_ratio = 2.6;      ///< H of the water in spacings (`SoundSponge`)
+    double solid_support_ratio = 2;  ///< H of the sponge in its spacings (`SoundSponge`)
     double water_spacing = 0.8e-3;   ///< m
     double solid_spacing = 0.5e-3;   ///< m
     double gap = 4.5e-3;             ///< between the lowest water particles and the highest of the sponge, m
@@ -68,6 +69,7 @@ struct SpongeCase {
                 " m; it must be below 3.5e-3 m, half the distance of the pores");
         positive(support_radius, "support radius", "m");
         positive(support_ratio, "support ratio", "spacings");
+        positive(solid_support_ratio, "support ratio of the sponge", "spacings");
         positive(water_spacing, "water spacing", "m");
         positive(solid_spacing, "solid spacing", "m");
         positive(gap, "gap", "m");

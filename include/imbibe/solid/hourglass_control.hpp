@@ -36,6 +36,7 @@ struct HourglassControlParameters {
 /// Source: Ganzenmueller (2015), with alpha = 0.1.
 template <class Kernel = WendlandC2>
 struct HourglassControl {
+    static constexpr bool of_solids = true;
     using Parameters = HourglassControlParameters;
 
     struct Push {

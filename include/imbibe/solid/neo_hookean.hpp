@@ -14,6 +14,7 @@ namespace imbibe {
 ///
 /// Source: Ciarlet (1988); Simo and Hughes (1998).
 struct NeoHookean {
+    static constexpr bool of_solids = true;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
 

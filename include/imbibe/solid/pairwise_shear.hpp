@@ -57,6 +57,7 @@ struct PairwiseShearForceParameters {
 /// program SPHinXsys; there J^(-2/d) and tr(F F^T)/d in d dimensions, here plane strain in 2D.
 template <class Kernel = WendlandC2>
 struct PairwiseShearForce {
+    static constexpr bool of_solids = true;
     using Parameters = PairwiseShearForceParameters;
 
     struct Prepare {

@@ -16,6 +16,7 @@ namespace imbibe {
 ///
 /// Source: any textbook of continuum mechanics, for instance Holzapfel (2000).
 struct StVenantKirchhoff {
+    static constexpr bool of_solids = true;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
 

@@ -71,6 +71,7 @@ inline constexpr AveragedMeanStress averaged_mean_stress{};
 /// finite elements. Here with kernel averages over particles.
 template <class Average = Poly6>
 struct VolumetricDeviatoric {
+    static constexpr bool of_solids = true;
     struct Weigh {
         using neighbourhood = Reference;
         static constexpr bool once = true;

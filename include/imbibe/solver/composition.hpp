@@ -46,12 +46,64 @@ struct Composition {
         if constexpr (!detail::IsCoupling<C>)
             return true;
         else if constexpr (std::is_same_v<typename C::First, typename C::Second>)
-            return detail::break_rule<rules::SamePhaseTwice<typename C::First, list_each_phase_and_coupling_once>>();
+            return detail::break_rule<rules::SamePhaseTwice<typename C::First, couple_two_different_phases>>();
         else
             return check_named<typename C::First, C, All>() && check_named<typename C::Second, C, All>() &&
                    check_targets<C>(typename detail::TargetsOf<typename C::terms>::type{});
     }
-    static constexpr bool items_fit = (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...);
+    // A term of an item, and on which phase it acts there: one, or (void) both sides of a coupling.
+    template <class T>
+    struct Listed {
+        using Term = T;
+        using On = void;
+    };
+    template <class P, class T>
+    struct Listed<Into<P, T>> {
+        using Term = T;
+        using On = P;
+    };
+    template <class T, class U>
+    static constexpr bool overlap =
+        std::is_void_v<typename Listed<T>::On> || std::is_void_v<typename Listed<U>::On> ||
+        std::is_same_v<typename Listed<T>::On, typename Listed<U>::On>;
+    template <class Item, class T>
+    static constexpr bool check_term() {
+        using Term = typename Listed<T>::Term;
+        if constexpr (!detail::IsTerm<Term> || (!std::is_same_v<Term, T> && !detail::IsCoupling<Item>))
+            return detail::break_rule<rules::NotATerm<T, Item, list_terms_only_and_Into_only_in_couplings>>();
+        else if constexpr (!detail::IsCoupling<Item> && !detail::suits<Item, Term>)
+            return detail::break_rule<rules::NotASolid<Term, Item, give_it_to_a_solid>>();
+        else
+            return true;
+    }
+    template <class Item, class T, class U>
+    static constexpr bool check_two() {
+        using One = typename Listed<T>::Term;
+        using Two = typename Listed<U>::Term;
+        if constexpr (!overlap<T, U>)
+            return true;
+        else if constexpr (std::is_same_v<One, Two>)
+            return detail::break_rule<rules::TermTwice<One, Item, list_it_once>>();
+        else if constexpr (requires { requires std::is_same_v<typename One::effect, typename Two::effect>; })
+            return detail::break_rule<
+                rules::SameEffectTwice<typename One::effect, One, Two, Item, remove_one_of_the_two_terms>>();
+        else
+            return true;
+    }
+    template <class Item>
+    static constexpr bool check_twos(TypeList<>) {
+        return true;
+    }
+    template <class Item, class T, class... Rest>
+    static constexpr bool check_twos(TypeList<T, Rest...>) {
+        return (check_two<Item, T, Rest>() && ...) && check_twos<Item>(TypeList<Rest...>{});
+    }
+    template <class Item, class... T>
+    static constexpr bool check_terms(TypeList<T...> list) {
+        return (check_term<Item, T>() && ...) && check_twos<Item>(list);
+    }
+    static constexpr bool items_fit = (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...) &&
+                                      (check_terms<Items>(typename Items::terms{}) && ...);
     /// @endcond
 
     /// The parts of all terms, each on each phase it writes to.
@@ -330,14 +382,15 @@ struct Composition {
             using N = detail::At<row, Rows>;
             using F = decltype(field_at_column<column_at_fault>(Phases{}));
             using P = detail::At<phase_of_column(column_at_fault), Phases>;
-            return detail::break_rule<rules::NobodySets<
-                F, typename N::Term, P, add_a_term_that_sets_it_such_as_an_equation_of_state_for_pressure>>();
+            using Advice = std::conditional_t<std::is_same_v<F, Pressure>, add_an_equation_of_state_such_as_Tait,
+                                              add_a_term_that_sets_it>;
+            return detail::break_rule<rules::NobodySets<F, typename N::Term, P, Advice>>();
         } else if constexpr (fault == Fault::set_twice) {
             using N = detail::At<row, Rows>;
             using M = detail::At<other, Rows>;
             using F = decltype(field_at_column<column_at_fault>(Phases{}));
-            return detail::break_rule<
-                rules::SetTwice<F, typename N::Term, typename M::Term, typename N::A, remove_one_of_the_two_terms>>();
+            return detail::break_rule<rules::SetTwice<F, WriterOf<N>, WriterOf<M>, typename N::A,
+                                                      remove_one_of_the_two_terms>>();
         } else if constexpr (fault == Fault::cycle) {
             using N = detail::At<row, Rows>;
             using M = detail::At<other, Rows>;
@@ -350,6 +403,30 @@ struct Composition {
             return true;
         }
     }
+    // The term that a row is of; of one that advances a state, the first that adds to its rate.
+    template <class N, class... M>
+    static constexpr auto writer_of(TypeList<M...>) {
+        if constexpr (!is_advance<N>) {
+            return std::type_identity<typename N::Term>{};
+        } else {
+            constexpr bool adds[] = {adds_to_rate<N, M>()...};
+            constexpr int first = [&] {
+                int k = 0;
+                while (!adds[k])
+                    ++k;
+                return k;
+            }();
+            return std::type_identity<typename detail::At<first, TypeList<M...>>::Term>{};
+        }
+    }
+    template <class N, class M>
+    static constexpr bool adds_to_rate() {
+        return std::is_same_v<typename N::A, typename M::A> &&
+               detail::contains<Rate<typename N::Field>, typename M::Adds>;
+    }
+    template <class N>
+    using WriterOf = typename decltype(writer_of<N>(Nodes{}))::type;
+
     static constexpr int phase_of_column(int c) {
         int k = 0;
         while (c >= starts[static_cast<std::size_t>(k + 1)])
@@ -358,23 +435,41 @@ struct Composition {
     }
     template <class... N>
     static constexpr bool all_declarations_fit(TypeList<N...>) {
-        return (declarations_fit<N> && ...);
+        return (declarations_fit<N> && ...) && (check_pair_part<N>() && ...);
+    }
+    template <class N>
+    static constexpr bool check_pair_part() {
+        if constexpr (detail::is_pair_node<dim, N> && N::Sets::size > 0)
+            return detail::break_rule<
+                rules::PairPartSets<typename N::Part, typename N::Term, let_the_part_add_to_the_field>>();
+        else
+            return true;
     }
     template <class N>
     static constexpr bool check_neighbourhood() {
         if constexpr (N::reference && !std::is_same_v<typename N::A, typename N::B>)
-            detail::break_rule<rules::ReferenceNeighboursInCoupling<
+            return detail::break_rule<rules::ReferenceNeighboursInCoupling<
                 typename N::Term, typename N::Owner, give_the_term_to_the_phase_or_use_current_neighbours>>();
-        return true;
+        else
+            return true;
     }
     template <class... N>
     static constexpr bool check_neighbourhoods(TypeList<N...>) {
         return (check_neighbourhood<N>() && ...);
     }
     /// @endcond
+    /// @cond
+    // One rule after the other: what follows from one that is broken is not worth an error of its own.
+    static constexpr bool check() {
+        if constexpr (items_fit)
+            if constexpr (all_declarations_fit(Nodes{}))
+                if constexpr (check_neighbourhoods(Nodes{}))
+                    return check_plan<true>() && check_plan<false>();
+        return false;
+    }
+    /// @endcond
     /// True, or a compile error that names the broken rule.
-    static constexpr bool valid = items_fit && all_declarations_fit(Nodes{}) && check_neighbourhoods(Nodes{}) &&
-                                  check_plan<true>() && check_plan<false>();
+    static constexpr bool valid = check();
 };
 
 } // namespace imbibe

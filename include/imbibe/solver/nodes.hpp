@@ -93,6 +93,15 @@ struct KeepCouplings : std::bool_constant<IsCoupling<T>> {};
 template <class N>
 struct KeepUseful : std::bool_constant<N::A::moves || !std::is_same_v<typename N::Adds, Fields<acceleration>>> {};
 
+/// Can the term be one of phase P? One that asks for elastic moduli only if P has them.
+template <class P, class Term>
+inline constexpr bool suits = true;
+template <class P, class Term>
+    requires requires { Term::of_solids; }
+inline constexpr bool suits<P, Term> = requires(const P& p) { p.shear_modulus; };
+template <class P, class Term>
+using PartsOn = std::conditional_t<suits<P, Term>, PartList<Term>, TypeList<>>;
+
 // ---- nodes --------------------------------------------------------------------------------------------------------
 
 template <class A, class B, class Owner, class Term, class Parts>
@@ -106,7 +115,7 @@ template <class P, class Terms>
 struct NodesOfPhase;
 template <class P, class... Term>
 struct NodesOfPhase<P, TypeList<Term...>> {
-    using type = Concat<typename NodesOfParts<P, P, P, Term, PartList<Term>>::type...>;
+    using type = Concat<typename NodesOfParts<P, P, P, Term, PartsOn<P, Term>>::type...>;
 };
 
 template <class C, class Term>

@@ -5,8 +5,17 @@
 namespace imbibe {
 
 // Advice, printed as a template argument.
-struct add_a_term_that_sets_it_such_as_an_equation_of_state_for_pressure;
+struct add_a_term_that_sets_it;
+struct add_an_equation_of_state_such_as_Tait;
 struct remove_one_of_the_two_terms;
+struct list_it_once;
+struct list_terms_only_and_Into_only_in_couplings;
+struct give_it_to_a_solid;
+struct let_the_part_add_to_the_field;
+struct couple_two_different_phases;
+struct list_the_phase_in_the_solver;
+struct list_the_coupling_in_the_solver;
+struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
 struct list_each_phase_and_coupling_once;
 struct give_the_term_to_the_phase_or_use_current_neighbours;
@@ -24,6 +33,36 @@ template <class Field, class Term, class Phase, class Advice>
 struct NobodySets {
     static_assert(never<Field>, "imbibe: a term reads this field, and no term of its phase sets it");
 };
+/// Rule: what a phase or coupling lists are terms.
+template <class What, class Where, class Advice>
+struct NotATerm {
+    static_assert(never<What>, "imbibe: this is listed where a term is expected, and is none");
+};
+/// Rule: a term that asks for elastic moduli is one of a phase that has them.
+template <class Term, class Phase, class Advice>
+struct NotASolid {
+    static_assert(never<Term>, "imbibe: this term asks for the elastic moduli of a solid, and its phase has none");
+};
+/// Rule: a term is listed once; twice, what it adds would count twice.
+template <class Term, class Where, class Advice>
+struct TermTwice {
+    static_assert(never<Term>, "imbibe: the same term is listed twice");
+};
+/// Rule: of two forms of the same equation a phase, or a side of a coupling, has one.
+template <class Effect, class TermOne, class TermTwo, class Where, class Advice>
+struct SameEffectTwice {
+    static_assert(never<Effect>, "imbibe: two terms are forms of the same equation, which would count twice");
+};
+/// Rule: a function of a pair adds to fields; there is no one pair that could set one.
+template <class Part, class Term, class Advice>
+struct PairPartSets {
+    static_assert(never<Part>, "imbibe: a function of a pair can only add to fields, and this one sets one");
+};
+/// Rule: the third argument of a solver is its integrator.
+template <class Given, class Advice>
+struct NoIntegrator {
+    static_assert(never<Given>, "imbibe: the solver has no integrator, but this phase or coupling in its place");
+};
 /// Rule: a field is set by one term only.
 template <class Field, class TermOne, class TermTwo, class Phase, class Advice>
 struct SetTwice {
@@ -38,6 +77,11 @@ struct Cycle {
 template <class Phase, class Coupling, class Advice>
 struct NoSuchPhase {
     static_assert(never<Phase>, "imbibe: this coupling names a phase that the scene does not have");
+};
+/// Rule: whoever asks a scene for a phase or coupling, or names one in its integrator, asks for one that it has.
+template <class What, class Advice>
+struct NotInTheScene {
+    static_assert(never<What>, "imbibe: the scene does not have this phase or coupling");
 };
 /// Rule: a sum over the neighbours of the stress-free configuration is one within a phase.
 template <class Term, class Coupling, class Advice>

@@ -23,7 +23,15 @@ void check_term(const Owner& owner, const std::string& name) {
 }
 template <class Where, class Owner, class... Term>
 void check_terms(const Owner& owner, TypeList<Term...>) {
-    (check_term<typename Unwrapped<Term>::type>(owner, type_name<Where>()), ...);
+    // What is no term, as Into in a phase, is an error of its own.
+    [[maybe_unused]] const auto check = [&]<class T>(std::type_identity<T>) {
+        if constexpr (IsTerm<T>)
+            check_term<T>(owner, type_name<Where>());
+    };
+    if constexpr (requires { typename Owner::First; })
+        (check(std::type_identity<typename Unwrapped<Term>::type>{}), ...);
+    else
+        (check(std::type_identity<Term>{}), ...);
 }
 
 /// A sentence if a particle of a square or cubic lattice has too few neighbours, or an empty one.

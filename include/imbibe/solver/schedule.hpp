@@ -250,8 +250,13 @@ private:
     // neighbours on it are the rows at fault, not the innocent ones that wait for them.
     constexpr void find_cycle() {
         int r = 0;
-        while (done.test(r) || waits_for(r) < 0)
+        while (r + 1 < static_cast<int>(n) && (done.test(r) || waits_for(r) < 0))
             ++r;
+        if (waits_for(r) < 0) { // no circle: a row that nobody ever makes ready
+            plan.fault = Fault::cycle;
+            plan.row = r;
+            return;
+        }
         for (std::size_t k = 0; k < n; ++k)
             r = waits_for(r);
         plan.fault = Fault::cycle;
@@ -300,7 +305,7 @@ private:
     // Does some row that is not done yet wait for what row r adds?
     constexpr bool awaited(int r) const {
         for (int k = 0; k < static_cast<int>(n); ++k)
-            if (!done.test(k) && k != r && (row(k).reads & row(r).adds).any())
+            if (!done.test(k) && k != r && (row(k).reads & (row(r).adds | row(r).sets)).any())
                 return true;
         return false;
     }

@@ -28,7 +28,7 @@ public:
     /// What the compiler worked out: fields, rows, plans.
     using Scene = Composition<dim, Items...>;
     static_assert(dim == 2 || dim == 3);
-    static_assert(Scene::valid);
+    static_assert(Scene::valid || true); // it says by itself what is wrong, once
 
     /// The type of all stored numbers.
     using Real = Real_;
@@ -81,9 +81,8 @@ public:
     /// `Clamped`. Returns how many they are.
     template <class P, class Held>
     int hold(PhaseHandle<P>, const Held& held) {
-        require_phase<P>();
+        auto& s = *find_phase<P>(engine_);
         static_assert(detail::contains<Mobility, FieldsOf<P>>, "imbibe: list the term Clamped in the phase to hold it");
-        auto& s = engine_.template state<P>();
         int number = 0;
         for (int i = 0; i < s.size(); ++i)
             if (held(position_of(s, i))) {
@@ -98,7 +97,7 @@ public:
     template <class P, class Gone>
     int remove_if(PhaseHandle<P>, const Gone& gone) {
         static_assert(!State<P>::keeps_reference, "imbibe: particles of a total-Lagrangian solid cannot be removed");
-        auto& s = engine_.template state<P>();
+        auto& s = *find_phase<P>(engine_);
         std::vector<char> keep(static_cast<std::size_t>(s.size()), 1);
         int removed = 0;
         for (int i = 0; i < s.size(); ++i)
@@ -113,12 +112,12 @@ public:
     /// The coefficients of a coupling, to read or to change: `scene.coupling<Contact>().set(...)`.
     template <class C>
     C& coupling() {
-        return engine_.template coupling<C>();
+        return *find_coupling<C>(engine_);
     }
     /// The same, to read.
     template <class C>
     const C& coupling() const {
-        return engine_.template coupling<C>();
+        return *find_coupling<C>(engine_);
     }
 
     // ---- looking at it ----
@@ -143,14 +142,12 @@ public:
     /// A phase of the scene: `scene[water][velocity]` is a view of the velocities of its particles.
     template <class P>
     PhaseView<P, State<P>> operator[](PhaseHandle<P>) {
-        require_phase<P>();
-        return {engine_.template state<P>()};
+        return {*find_phase<P>(engine_)};
     }
     /// The same, to read.
     template <class P>
     PhaseView<P, const State<P>> operator[](PhaseHandle<P>) const {
-        require_phase<P>();
-        return {engine_.template state<P>()};
+        return {*find_phase<P>(engine_)};
     }
     /// The same by the phase's type.
     template <class P>
@@ -302,9 +299,39 @@ private:
                    : text(limits.front().seconds, " s (", limits.front().reason, ", ", limits.front().where, ")");
     }
 
+    // Has the scene an integrator, and does it name phases of the scene?
+    template <class I>
+    static constexpr bool check_integrator() {
+        if constexpr (detail::IsPhase<I> || detail::IsCoupling<I>)
+            return detail::break_rule<
+                rules::NoIntegrator<I, put_an_integrator_such_as_SymplecticEuler_before_the_phases>>();
+        else if constexpr (requires { typename I::Fast; })
+            return in_the_scene<typename I::Fast, Phases, list_the_phase_in_the_solver>();
+        else
+            return true;
+    }
+    template <class What, class All, class Advice>
+    static constexpr bool in_the_scene() {
+        if constexpr (!detail::contains<What, All>)
+            return detail::break_rule<rules::NotInTheScene<What, Advice>>();
+        else
+            return true;
+    }
+    static constexpr bool steps_are_defined = check_integrator<Integrator>();
+
     template <class P>
-    static constexpr void require_phase() {
-        static_assert(detail::contains<P, Phases>, "imbibe: this phase is not listed in the solver's type");
+    static auto find_phase(auto& engine) {
+        if constexpr (in_the_scene<P, Phases, list_the_phase_in_the_solver>())
+            return &engine.template state<P>();
+        else
+            return &detail::nothing<State<P>>();
+    }
+    template <class C>
+    static auto find_coupling(auto& engine) {
+        if constexpr (in_the_scene<C, Couplings, list_the_coupling_in_the_solver>())
+            return &engine.template coupling<C>();
+        else
+            return &detail::nothing<C>();
     }
     // Points of the world as they are stored: relative to the origin, inside the period, and that also once rounded.
     std::vector<Point> stored_places(const std::vector<Point>& points) const {
@@ -410,7 +437,6 @@ template <int dim, class Real_, class Integrator, class... Items>
 template <class P>
 PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, const std::vector<Point>& points,
                                                              double spacing) {
-    require_phase<P>();
     const std::string name = detail::type_name<P>();
     material.check(name);
     require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
@@ -424,7 +450,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
         for (int d = 0; d < dim; ++d)
             require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
                     "; all coordinates must be finite numbers, m");
-    auto& s = engine_.template state<P>();
+    auto& s = *find_phase<P>(engine_);
     require(s.size() == 0 || s.material.spacing == spacing, name, ": particles were added with spacing ",
             s.material.spacing, " m before and ", spacing, " m now; use a second phase for a second spacing");
     require(s.size() == 0 || s.material.density == material.density, name, ": particles were added with density ",
@@ -479,7 +505,7 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
     if (steps_ == 0) // what is added to a run comes where there is room, or motion has brought the two together
         note_overlaps(Couplings{});
     engine_.template run<typename Scene::Once>(0);
-    if constexpr (requires { Integrator::start(engine_); })
+    if constexpr (steps_are_defined && requires { Integrator::start(engine_); })
         Integrator::start(engine_);
     engine_.measure_motion();
     prepared_ = true;
@@ -489,7 +515,9 @@ template <int dim, class Real_, class Integrator, class... Items>
 void Solver<dim, Real_, Integrator, Items...>::take(const TimeStepLimit& chosen) {
     last_step_ = chosen;
     try {
-        if constexpr (subcycles) {
+        if constexpr (!steps_are_defined) {
+            return; // an error of its own
+        } else if constexpr (subcycles) {
             const double within = settings_.cfl * shortest(substep_limits()).seconds;
             const double count = std::ceil(chosen.seconds / within * (1 - 1e-9));
             require(count < 1e6, "a step of ", chosen.seconds, " s asks for ", count, " steps of ", within, " s (",

@@ -1,7 +1,7 @@
 // The limits on a time step: every active term and coupling offers its own, and they are listed with their reasons.
 #pragma once
 
-#include <imbibe/core/phase.hpp>
+#include <imbibe/solver/nodes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ private:
         if (engine_.template state<P>().size() == 0)
             return;
         const TimeStepInput in = input_of<P>();
-        (add_term<Term, P>(material<P>(), in, material<P>()), ...);
+        (add_term<Term, P>(material<P>(), with_greatest<Term, P>(in), material<P>()), ...);
         if (P::moves && in.max_acceleration > 0)
             add(std::sqrt(in.spacing / in.max_acceleration), "acceleration", type_name<P>());
     }
@@ -96,11 +96,21 @@ private:
         (add_term<typename Unwrapped<Term>::type, C>(engine_.template coupling<C>(), in, material<A>(), material<B>()),
          ...);
     }
+    template <class Term, class P>
+    TimeStepInput with_greatest(TimeStepInput in) const {
+        if constexpr (requires { typename Term::limit_by_greatest; }) {
+            const auto& s = engine_.template state<P>();
+            in.greatest = static_cast<double>(s.view(typename Term::limit_by_greatest{}).maxCoeff());
+        }
+        return in;
+    }
     // A term may need no coefficients for its limit, or have no limit.
     template <class Term, class Where, class Owner, class... Materials>
     void add_term(const Owner& owner, const TimeStepInput& in, const Materials&... materials) {
         double seconds = -1;
-        if constexpr (requires { Term::time_step_limit(materials..., in); }) {
+        if constexpr (!suits<Where, Term> && !IsCoupling<Where>) {
+            return; // an error of its own
+        } else if constexpr (requires { Term::time_step_limit(materials..., in); }) {
             seconds = Term::time_step_limit(materials..., in);
         } else if constexpr (requires { typename Term::Parameters; }) {
             const auto& parameters = owner.coefficients.template get<typename Term::Parameters>();

@@ -80,6 +80,7 @@ struct RiemannWallPressureParameters {
 /// Source: Zhang, Hu and Adams (2017), the section on the wall boundary condition; the normal is taken in the fluid.
 template <class Kernel = WendlandC2>
 struct RiemannWallPressure {
+    using effect = effects::pressure_force;
     using Parameters = RiemannWallPressureParameters;
 
     struct Push {
@@ -138,6 +139,7 @@ struct RiemannWallPressure {
 /// Source: Zhang, Hu and Adams (2017), with U* without the hydrostatic part of p_L - p_R, so that still water is still.
 template <class Kernel = WendlandC2>
 struct RiemannWallContinuity {
+    using effect = effects::continuity_equation;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<density_rate>;
 

@@ -1,0 +1,14 @@
+// A coupling that is listed twice.
+// expect: SamePhaseTwice<Contact
+// expect: list_each_phase_and_coupling_once
+#include "scene.hpp"
+
+struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
+struct Stone : sph::Wall<> {};
+struct Contact : sph::Coupling<Water, Stone, sph::KernelRepulsion<>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Stone, Contact, Contact>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    scene.run_until(1);
+}

@@ -1,0 +1,12 @@
+// Something else than a kernel as the kernel of a term.
+// expect: NotAKernel<imbibe::Tait<
+// expect: takes a kernel
+#include "scene.hpp"
+
+struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<sph::Tait<>>, sph::SymmetricPressure<K>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    scene.run_until(1);
+}

@@ -1,0 +1,15 @@
+// A law of elasticity in a phase that has no elastic moduli.
+// expect: NotASolid<imbibe::StVenantKirchhoff, Water
+// expect: give_it_to_a_solid
+#include "scene.hpp"
+
+#include <imbibe/solid/total_lagrangian.hpp>
+
+struct Water : sph::Fluid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
+                          sph::TotalLagrangianForce<K>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    scene.run_until(1);
+}

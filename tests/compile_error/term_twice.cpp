@@ -1,0 +1,13 @@
+// A force that is listed twice would be twice as great.
+// expect: TermTwice<imbibe::KernelRepulsion<
+// expect: Water
+// expect: list_it_once
+#include "scene.hpp"
+
+struct Water : sph::Fluid<sph::KernelRepulsion<>, sph::KernelRepulsion<>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    scene.run_until(1);
+}
