@@ -26,6 +26,7 @@ void add_fluids(Table& table) {
     add<WeaklyCompressible, float>(table, sph::text(WeaklyCompressible::name, ", float"));
     add<Integrated<WeaklyCompressible, sph::StaggeredLeapfrog>>(
         table, sph::text(WeaklyCompressible::name, ", StaggeredLeapfrog"));
+    add<Narrow>(table, Narrow::name);
     add<Unbraked>(table, Unbraked::name);
     add<DamBreak>(table, DamBreak::name);
     add<UnbrakedDamBreak>(table, UnbrakedDamBreak::name);

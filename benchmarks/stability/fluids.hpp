@@ -31,6 +31,13 @@ struct WeaklyCompressible {
     static void set(Sides& sides, const Water& water) { Preset::set_coefficients(sides, water); }
 };
 
+/// The same with a support of 2 spacings.
+struct Narrow : WeaklyCompressible {
+    static constexpr const char* name = "weakly compressible, H = 2";
+    static constexpr double support = 2;
+    using WeaklyCompressible::set;
+};
+
 /// The same without Monaghan's beta and without the guard within the water: nothing parts what meets fast.
 struct Unbraked : WeaklyCompressible {
     static constexpr const char* name = "weakly compressible without beta and guard";

@@ -48,6 +48,7 @@ void add_hard(Table& table) {
         {WeaklyCompressible::name, "floor with slots", "width, spacings", 0.1, 4, slotted_floor<WeaklyCompressible>});
     table.frontiers.push_back({Riemann::name, "floor with slots", "width, spacings", 0.1, 4, slotted_floor<Riemann>});
     add_pairs<WeaklyCompressible>(table);
+    add_pairs<Narrow>(table);
     add_pairs<Riemann>(table);
     add_pairs<Paper>(table);
     add_overlap<SoundCoupling>(table);

@@ -1,0 +1,19 @@
+// Is a test compiled with a sanitizer? Such a build takes steps twenty times as long: what runs for minutes is then run
+// for a part of its time.
+#pragma once
+
+namespace imbibe_test {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+} // namespace imbibe_test
