@@ -1,4 +1,5 @@
-// A column of water collapses in a tank. Run it, then open out-dam-break/water.pvd in ParaView.
+// A column of water collapses in a tank: build/dam_break, then open out-dam-break/water.pvd in ParaView.
+// In two dimensions, beside the experiment of Koshizuka and Oka (1996): dam_break_2d.cpp.
 #include <imbibe/imbibe.hpp>
 namespace sph = imbibe;
 using K = sph::WendlandC2;

@@ -64,16 +64,10 @@ int main(int argc, char** argv) {
         // The way of the gate's lower end
         sph::Snapshots snapshots("out-elastic-gate");
         sph::Table table("out-elastic-gate/gate.csv", {{"time", "s"}, {"sideways", "m"}, {"up", "m"}});
+        const sph::DisplacementProbe<2> probe(scene[gate]);
         const auto tip = [&](const Scene& s) {
-            const auto x = s[gate][sph::position], X = s[gate][sph::reference_position];
-            Eigen::RowVector2d sum(0, 0);
-            int count = 0;
-            for (int i = 0; i < s[gate].size(); ++i)
-                if (X(i, 1) < 1.5 * dx) {
-                    sum += (x.row(i) - X.row(i)).cast<double>();
-                    ++count;
-                }
-            table.row({s.time(), sum[0] / count, sum[1] / count});
+            const auto moved = probe.mean_vector(s[gate], [&](const auto& x) { return x[1] < 1.5 * dx; });
+            table.row({s.time(), moved[0], moved[1]});
         };
         scene.run_until(end, sph::Progress(end, false), sph::every(2e-3, tip), sph::every(0.02, std::ref(snapshots)),
                         [&](Scene& s) { s.remove_if(pool, [&](const auto& x) { return x[0] > length - 2 * dx; }); });

@@ -31,6 +31,9 @@ CONTRACT = [
     (r"static constexpr bool once\b", "Evaluated when the particles are added, not in every step."),
     (r"static constexpr const char\* limit_name\b", "What its limit on the time step is called."),
     (r"static double time_step_limit\(", "The longest stable step, s."),
+    (r"using limit_by_greatest =", "The field whose greatest value its limit on the time step depends on."),
+    (r"using effect =", "The equation that it is a form of, of which a phase has one only."),
+    (r"static constexpr bool of_solids\b", "It asks for the elastic moduli of a solid."),
     (r".*\boperator\(\)\(const auto&( a)?, const auto&( b)?,", "What neighbour b contributes to particle a."),
     (r".*\boperator\(\)\(const auto&( a)?\) const", "The value for particle a."),
     # fields: core/field.hpp

@@ -1,4 +1,4 @@
-# All headers with -I, not -isystem, under the strictest warnings of the compiler, as errors.
+# All headers with -I, not -isystem, under the strictest warnings of the compiler, as errors; then it is run.
 #
 # Off are only those that say nothing here: numbers are compared with exactly 0, or with the very number that was given
 # before (float-equal); structs have gaps (padded); a header has nowhere else to put a class's virtual functions
@@ -12,5 +12,6 @@ else()
                  -Wcast-qual -Wcast-align -Wdouble-promotion -Wnon-virtual-dtor -Woverloaded-virtual -Wduplicated-cond
                  -Wduplicated-branches -Wlogical-op -Wformat=2 -Wextra-semi -Wundef -Wredundant-decls)
 endif()
-compile(-O0 ${warnings} -Werror -I${INCLUDE} ${EIGEN} -c ${CMAKE_CURRENT_LIST_DIR}/strict/program.cpp
-        -o ${FOLDER}/program.o)
+compile(-O0 ${warnings} -Werror -I${INCLUDE} ${EIGEN} ${CMAKE_CURRENT_LIST_DIR}/strict/program.cpp
+        -o ${FOLDER}/program)
+run(${CMAKE_COMMAND} -E chdir ${FOLDER} ./program)

@@ -49,6 +49,8 @@ TEST_CASE("The report of a scene names effects, fields, bytes, sweeps, neighbour
     for (const char* field : {"position", "velocity", "density", "pressure", "mass"})
         says(report, field);
     says(report, "Neighbours: Water has ");
+    says(report, "    sweeps:  ");
+    says(report, sph::text(" on average; ", sph::Costs<Scene>::loads<Water, Water>, " numbers of each are loaded"));
     says(report, " MB for neighbours");
     const auto limits = scene.time_step_limits();
     REQUIRE(limits.size() >= 2);

@@ -32,6 +32,20 @@ public:
         each(phase, [&](const Eigen::Matrix<double, dim, 1>& u) { total += u; });
         return total / phase.size();
     }
+    /// The same over the particles that started where `chosen(x)`, with places as the view has them.
+    template <class View, class Chosen>
+    Eigen::Matrix<double, dim, 1> mean_vector(const View& phase, const Chosen& chosen) const {
+        Eigen::Matrix<double, dim, 1> total = Eigen::Matrix<double, dim, 1>::Zero();
+        int count = 0;
+        each(phase, [&](const Eigen::Matrix<double, dim, 1>& u, const Eigen::Matrix<double, dim, 1>& from) {
+            if (chosen(from)) {
+                total += u;
+                ++count;
+            }
+        });
+        require(count > 0, "displacements of a part of a phase: no particle started in that part");
+        return total / count;
+    }
     /// The greatest |x_a - x_a(0)|, m.
     template <class View>
     double greatest(const View& phase) const {
@@ -47,9 +61,14 @@ private:
         require(phase.size() == static_cast<int>(start.size()), "displacements are measured from ", start.size(),
                 " particles, but there are ", phase.size(),
                 " now; make the probe anew when particles were added or removed");
-        for (int i = 0; i < phase.size(); ++i)
-            f(Eigen::Matrix<double, dim, 1>(x.row(i).transpose().template cast<double>() -
-                                            start.at(phase.ids()[static_cast<std::size_t>(i)])));
+        for (int i = 0; i < phase.size(); ++i) {
+            const auto& from = start.at(phase.ids()[static_cast<std::size_t>(i)]);
+            const Eigen::Matrix<double, dim, 1> u = x.row(i).transpose().template cast<double>() - from;
+            if constexpr (requires { f(u, from); })
+                f(u, from);
+            else
+                f(u);
+        }
     }
     std::vector<Eigen::Matrix<double, dim, 1>> start;
 };

@@ -10,7 +10,7 @@ namespace imbibe::presets {
 
 /// A choice among the runs of docs/accuracy.md.
 struct SpongeAccuracy {
-    std::string_view name;
+    std::string_view name; ///< the word
     double water_spacing; ///< m
     double support_ratio; ///< H of the water in spacings
     double difference;    ///< of the sponge's mean displacement until 0.15 s from that of the finest run, as a share

@@ -14,6 +14,8 @@ inline constexpr DisplacementField displacement{};
 
 /// u_a = x_a - X_a, once per particle. Total-Lagrangian terms are written in it rather than in positions: differences
 /// of small numbers keep their digits, and a pair that meets across a periodic border needs no image.
+///
+/// Source: the definition of the displacement.
 struct Displacement {
     using reads = Fields<position, reference_position>;
     using sets = Fields<displacement>;

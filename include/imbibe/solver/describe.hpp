@@ -88,7 +88,8 @@ std::string describe(Scene& scene) {
         const double mean = engine.mean_neighbours(link);
         if (mean > 0)
             out += text("Neighbours: ", detail::type_name<typename L::A>(), " has ", mean, " of ",
-                        detail::type_name<typename L::B>(), L::reference ? " (reference)" : "", " on average\n");
+                        detail::type_name<typename L::B>(), L::reference ? " (reference)" : "", " on average; ",
+                        Costs::template loads<typename L::A, typename L::B>, " numbers of each are loaded in a step\n");
     });
     out += "Time step:" + detail::limits_in_words(scene.time_step_limits());
     if constexpr (Scene::subcycles)

@@ -16,6 +16,8 @@ struct MeanVelocity : Field<Rank::vector> {
 inline constexpr MeanVelocity mean_velocity{};
 
 /// Lets a phase be the fast one of `Subcycled`.
+///
+/// Source: Zhang, Rezavand and Hu (2021), the time-averaged velocity of the structure.
 struct TimeAveragedMotion {
     using stores = Fields<mean_velocity>;
 };

@@ -1,6 +1,8 @@
 // All of the library, and a scene that uses much of it, for compilers with their strictest warnings: see strict.cmake.
+#include <imbibe/accuracy/study.hpp>
 #include <imbibe/imbibe.hpp>
-#include <imbibe/presets/sponge_case.hpp>
+#include <imbibe/presets/sponge.hpp>
+#include <imbibe/presets/sponge_accuracy.hpp>
 
 namespace user {
 

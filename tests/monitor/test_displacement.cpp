@@ -1,0 +1,37 @@
+// How far particles have moved, of a phase and of a part of it.
+#include <catch_shim.hpp>
+
+#include <imbibe/geometry/box.hpp>
+#include <imbibe/geometry/fill.hpp>
+#include <imbibe/monitor/displacement.hpp>
+#include <imbibe/time/symplectic_euler.hpp>
+
+namespace displacement_test {
+
+namespace sph = imbibe;
+struct Dust : sph::Fluid<> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Dust>;
+
+TEST_CASE("A probe measures from where particles were, whole phases and parts", "[displacement]") {
+    Scene scene({.support_radius = 0.2, .time_step = 0.1});
+    const auto dust = scene.add(Dust{{.density = 1, .sound_speed = 1}},
+                                sph::fill(sph::Box<2>{{0, 0}, {1, 1}}, 0.1), 0.1);
+    for (int i = 0; i < 100; ++i) // the upper half to the right, the lower half up and twice as fast
+        scene[dust][sph::velocity].row(i) << (scene[dust][sph::position](i, 1) > 0.5 ? 1 : 0),
+            (scene[dust][sph::position](i, 1) > 0.5 ? 0 : 2);
+    const sph::DisplacementProbe<2> probe(scene[dust]);
+    scene.run_until(0.3); // particles are sorted on the way
+    CHECK(probe.mean(scene[dust]) == Approx(0.45));
+    CHECK(probe.greatest(scene[dust]) == Approx(0.6));
+    CHECK(probe.mean_vector(scene[dust])[0] == Approx(0.15));
+    CHECK(probe.mean_vector(scene[dust])[1] == Approx(0.3));
+    const auto upper = probe.mean_vector(scene[dust], [](const auto& x) { return x[1] > 0.5; });
+    CHECK(upper[0] == Approx(0.3));
+    CHECK(std::abs(upper[1]) < 1e-12);
+    REQUIRE_THROWS_WITH(probe.mean_vector(scene[dust], [](const auto& x) { return x[1] > 5; }),
+                        imbibe_test::contains("no particle started"));
+    scene.remove_if(dust, [](const auto& x) { return x[0] < 0.1; });
+    REQUIRE_THROWS_WITH(probe.mean(scene[dust]), imbibe_test::contains("measured from 100 particles"));
+}
+
+} // namespace displacement_test
