@@ -122,6 +122,25 @@ Outcome bent_beam(const Plan& plan) {
     return march(scene, plan, watch, [&](const auto& s) { return std::vector{rough(s[beam])}; });
 }
 
+/// Sets a phase spinning about the origin, rad/s.
+template <class View>
+void spin(const View& view, double omega) {
+    using Real = std::remove_cvref_t<decltype(view[sph::velocity](0, 0))>;
+    for (int i = 0; i < view.size(); ++i) {
+        const Real x = view[sph::position](i, 0), y = view[sph::position](i, 1);
+        view[sph::velocity].row(i) << -static_cast<Real>(omega) * y, static_cast<Real>(omega) * x;
+    }
+}
+/// About the origin, kg m^2/s per metre of depth.
+template <class View>
+double angular_momentum(const View& view) {
+    double sum = 0;
+    for (int i = 0; i < view.size(); ++i)
+        sum += view[sph::mass](i) * (view[sph::position](i, 0) * view[sph::velocity](i, 1) -
+                                     view[sph::position](i, 1) * view[sph::velocity](i, 0));
+    return sum;
+}
+
 /// A plate that spins for three turns at a tenth of the shear wave speed. Row 14.
 template <class S, class Real = double>
 Outcome spinning_plate(const Plan& plan) {
@@ -131,19 +150,9 @@ Outcome spinning_plate(const Plan& plan) {
     const double omega = 0.1 * std::sqrt(body.shear_modulus / rho) / (side / 2);
     const auto plate =
         scene.add(body, sph::fill(sph::Box<2>{{-side / 2, -side / 2}, {side / 2, side / 2}}, spacing), spacing);
-    auto view = scene[plate];
-    const auto angular_momentum = [&] {
-        double sum = 0;
-        for (int i = 0; i < view.size(); ++i)
-            sum += view[sph::mass](i) * (view[sph::position](i, 0) * view[sph::velocity](i, 1) -
-                                         view[sph::position](i, 1) * view[sph::velocity](i, 0));
-        return sum;
-    };
-    for (int i = 0; i < view.size(); ++i) {
-        const Real x = view[sph::position](i, 0), y = view[sph::position](i, 1);
-        view[sph::velocity].row(i) << -static_cast<Real>(omega) * y, static_cast<Real>(omega) * x;
-    }
-    const double start = angular_momentum(), widest = side / 2 * std::numbers::sqrt2;
+    const auto view = scene[plate];
+    spin(view, omega);
+    const double start = angular_momentum(view), widest = side / 2 * std::numbers::sqrt2;
     const double end = 3 * 2 * std::numbers::pi / omega;
     const Watch<2> watch{.end = end,
                          .guard = {.energy = 0.05},
@@ -151,7 +160,7 @@ Outcome spinning_plate(const Plan& plan) {
                          .every = 50,
                          .expected_steps = end * body.longitudinal_wave_speed() / spacing};
     return march(scene, plan, watch, [&](const auto& s) {
-        return std::vector{std::abs(angular_momentum() / start - 1),
+        return std::vector{std::abs(angular_momentum(view) / start - 1),
                            static_cast<double>(s[plate][sph::position].rowwise().norm().maxCoeff()) / widest - 1};
     });
 }
