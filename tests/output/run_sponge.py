@@ -45,7 +45,7 @@ def check_good_run(folder):
                    "greatest density of the water [kg/m^3]", "time step [s]"):
         check(column in rows[0], f"no column '{column}' in", list(rows[0]))
     check(float(rows[0]["time [s]"]) == 0 and abs(float(rows[-1]["time [s]"]) - 0.004) < 1e-4, "times", rows[0], rows[-1])
-    check("wave" in rows[-1]["what limits the time step"], "limit", rows[-1])
+    check(rows[1]["what limits the time step"] == "elastic wave, Sponge", "limit", rows[1])
     # nothing touches yet: the water's momentum is its weight times the time, and the sponge is held
     fallen = float(rows[-1]["kinetic energy of the water [J]"])
     check(fallen > 0, "the water does not fall")

@@ -164,17 +164,21 @@ private:
                      std::index_sequence<k...>) {
         using T = Pack<Real, Base::width>;
         using OwnFields = typename OwnFieldsOf<dim, Nodes>::type;
+        // Copies: of the numbers where they are, the compiler of a scene in double must take it that sums are stored
+        // over them, and compute what follows from them for every run.
+        const P material = s.material;
+        const std::tuple<typename S::B...> others{this->template state<typename S::B>().material...};
         for (int i = begin; i < end; ++i) {
             Sums<Adds, dim, T> sums;
             for (T& t : sums.total)
                 t = T(0);
             OwnValues<OwnFields, dim, T> own;
             own.template load<FieldsOf<P>>(s.data() + i, s.stride());
-            const OwnView<P, OwnFields, dim, T> a{own, s.material, this->gravity, step_length};
+            const OwnView<P, OwnFields, dim, T> a{own, material, this->gravity, step_length};
             (gather<S, FieldsOf<typename S::B>>(
                  Filter<NodesFrom<S>::template Keep, Nodes>{},
                  std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(std::get<k>(parts))>>>{}, sums,
-                 s, a, std::get<k>(sources), this->template state<typename S::B>().material, i, std::get<k>(parts)),
+                 s, a, std::get<k>(sources), std::get<k>(others), i, std::get<k>(parts)),
              ...);
             store<P>(s, i, sums, Adds{});
         }
