@@ -9,6 +9,7 @@
 #include "support/block.hpp"
 #include "support/fluid.hpp"
 #include "support/hand_fluid.hpp"
+#include "support/hand_solid.hpp"
 #include "support/measured.hpp"
 
 #include <imbibe/kernels/kernels.hpp>
@@ -30,6 +31,11 @@ struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKi
 
 constexpr int particles = 8000;
 constexpr double support = 2.6;
+
+template <class Phase>
+Phase rubber() {
+    return Phase{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
+}
 
 /// W and the factor of its gradient, of every kernel, in whole packs.
 template <class Real, class... Kernel>
@@ -83,12 +89,21 @@ double loops(const Phase& phase) {
 
 /// The same for the fluid in one sweep, written by hand.
 template <class Real>
-double loops_by_hand() {
+double fluid_by_hand() {
     using Phase = bench::WaterInOneSweep;
     auto engine = bench::block<Real>(bench::water<Phase>(), particles, support);
     bench::HandFluid<Real> hand(std::type_identity<Phase>{}, engine);
     count([&] { hand.one_sweep(); });
     return engine.template state<Phase>().size();
+}
+
+/// The same for the hypoelastic solid, written by hand.
+template <class Real>
+double solid_by_hand() {
+    auto engine = bench::block<Real>(rubber<bench::Hypoelastic>(), particles, support);
+    bench::HandSolid<Real> hand(engine);
+    count([&] { hand.two_sweeps(0); });
+    return engine.template state<bench::Hypoelastic>().size();
 }
 
 /// A whole step.
@@ -107,11 +122,11 @@ void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
     cases["search_" + real] = search<Real>;
     cases["fluid_loops_" + real] = [] { return loops<Real>(bench::water<Water>()); };
     cases["fluid_loops_in_one_sweep_" + real] = [] { return loops<Real>(bench::water<bench::WaterInOneSweep>()); };
-    cases["fluid_loops_in_one_sweep_by_hand_" + real] = loops_by_hand<Real>;
+    cases["fluid_loops_in_one_sweep_by_hand_" + real] = fluid_by_hand<Real>;
+    cases["hypoelastic_loops_" + real] = [] { return loops<Real>(rubber<bench::Hypoelastic>()); };
+    cases["hypoelastic_loops_by_hand_" + real] = solid_by_hand<Real>;
     cases["fluid_step_" + real] = [] { return step<Real>(bench::water<Water>()); };
-    cases["solid_step_" + real] = [] {
-        return step<Real>(Rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}});
-    };
+    cases["solid_step_" + real] = [] { return step<Real>(rubber<Rubber>()); };
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 """Runs all benchmarks and writes docs/speed.md, with tables, pictures and the command behind each number.
 
     cmake --preset benchmark && cmake --build --preset benchmark
-    python3 tools/benchmark_report.py --build build-benchmark
+    cmake --preset benchmark-clang && cmake --build --preset benchmark-clang
+    python3 tools/benchmark_report.py --build build-benchmark --clang build-benchmark-clang
 
 The results stay as JSON in build-benchmark/results/; --reuse writes the report from them again without measuring. With
 --quick it takes two minutes instead of half an hour and leaves out the largest scenes. Nothing else should run on the
@@ -34,6 +35,11 @@ def ns(row, counter="particle", digits=0):
     return "-" if row is None or counter not in row else f"{row[counter] * 1e9:.{digits}f}"
 
 
+def lanes(row):
+    """Neighbours, the particle itself included, among the lanes that are computed."""
+    return percent((row["neighbours"] + 1) / (row["runs"] * row["width"]))
+
+
 def percent(part):
     return f"{100 * part:.0f} %"
 
@@ -44,6 +50,9 @@ class Report:
         self.quick = results.was_quick(os.path.join(self.build, "results"))
         self.pictures = os.path.splitext(self.output)[0]
         self.rows, self.contexts = results.read(os.path.join(self.build, "results"))
+        self.clang = arguments.clang
+        if self.clang:
+            self.rows["clang"] = results.read(os.path.join(self.clang, "results"))[0]["bench_sweep"]
         self.lines = []
         peaks = self.rows.get("peaks", {})
         self.flops = {real: row["flops"] for real in REALS for name, row in peaks.items()
@@ -113,9 +122,12 @@ class Report:
         for real, loop, solid in (("float", 110, 250), ("double", 260, 500)):
             name = f"fluid/one_sweep/{real}/26"
             bar(f"fluid in one sweep over the loop by hand, {real}", 1.1, value("bench_sweep", name, "ratio", 1))
+            bar(f"the same with clang++, {real}", 1.15, value("clang", name, "ratio", 1))
             bar(f"fluid in one sweep, ns per particle, {real}", loop, value("bench_sweep", name), digits=0)
-            bar(f"hypoelastic solid, ns per particle, {real}", solid, value("bench_sweep", f"hypoelastic/{real}/26"),
-                digits=0)
+            bar(f"the loop by hand, ns per particle, {real}", loop, value("bench_sweep", name, "hand"), digits=0)
+            name = f"hypoelastic/{real}/26"
+            bar(f"hypoelastic solid, ns per particle, {real}", solid, value("bench_sweep", name), digits=0)
+            bar(f"the loops by hand, ns per particle, {real}", solid, value("bench_sweep", name, "hand"), digits=0)
         moved = "neighbours/float/moved/{}/26".format
         bar("neighbours with sort, ns per particle, float", 85, value("bench_search", moved(100000)), digits=0)
         bar("nanoflann's radius search over that", 12,
@@ -206,11 +218,11 @@ class Report:
             reached = row["operations"] / row["particle"] / self.flops[real] if kind == "one_sweep" else None
             rows.append([f"fluid in {kind.replace('_', ' ')}, {real}", f"{int(tenths) / 10:.1f}",
                          f"{row['neighbours']:.0f}", ns(row), ns(row, "hand"), f"{row['ratio']:.2f}",
-                         percent((row["neighbours"] + 1) / (row["runs"] * row["width"])),
-                         percent(reached) if reached else "-"])
+                         lanes(row), percent(reached) if reached else "-"])
         for (kind, real, tenths), row in self.matches("bench_sweep", r"(hypoelastic|total_lagrangian)/(\w+)/(\d+)"):
+            by_hand = [ns(row, "hand"), f"{row['ratio']:.2f}", lanes(row)] if "hand" in row else ["-", "-", "-"]
             rows.append([f"{kind.replace('_', '-')} solid, {real}", f"{int(tenths) / 10:.1f}",
-                         f"{row['neighbours']:.0f}", ns(row), "-", "-", "-", "-"])
+                         f"{row['neighbours']:.0f}", ns(row), *by_hand, "-"])
         self.lines += table(["loops", "support in spacings", "neighbours", "ns per particle", "by hand, ns",
                              "library / by hand", "lanes used", "of peak arithmetic"], rows)
         figure, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
@@ -341,6 +353,7 @@ class Report:
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default="build-benchmark", help="the build folder (default: build-benchmark)")
+    parser.add_argument("--clang", metavar="BUILD", help="build folder of the preset benchmark-clang, for one row more")
     parser.add_argument("--output", default=os.path.join(ROOT, "docs", "speed.md"), help="default: docs/speed.md")
     parser.add_argument("--quick", action="store_true", help="short and rough")
     parser.add_argument("--reuse", action="store_true", help="write the report from stored results")
@@ -348,6 +361,8 @@ def main():
     folder = os.path.join(arguments.build, "results")
     if not arguments.reuse:
         results.run(arguments.build, folder, arguments.quick)
+        if arguments.clang:
+            results.run(arguments.clang, os.path.join(arguments.clang, "results"), arguments.quick, "bench_sweep")
         print("count_instructions ...", flush=True)
         counts = count_instructions.counts_of(os.path.abspath(os.path.join(arguments.build, "benchmarks",
                                                                            "count_instructions")))

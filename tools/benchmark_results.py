@@ -30,9 +30,11 @@ def programs_in(build):
     return folder, names
 
 
-def run(build, results, quick):
-    """Runs every program and leaves its JSON in `results`."""
+def run(build, results, quick, only=None):
+    """Runs every program, or that named `only`, and leaves its JSON in `results`."""
     folder, names = programs_in(build)
+    if only:
+        names = [name for name in names if name == only] or stop(f"there is no {only} in {folder}")
     os.makedirs(results, exist_ok=True)
     options = QUICK if quick else FULL
     with open(os.path.join(results, "options.json"), "w") as file:
