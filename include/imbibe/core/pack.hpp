@@ -166,6 +166,13 @@ struct Pack {
             return p;
         }
     }
+    /// Writes the lanes to `to`, `to + 1`, ...
+    IMBIBE_INLINE constexpr void store(Real* to) const {
+        if constexpr (width == 1)
+            *to = lanes;
+        else
+            __builtin_memcpy(to, &lanes, sizeof(Lanes));
+    }
     /// The number in lane k.
     IMBIBE_INLINE constexpr Real operator[]([[maybe_unused]] int k) const {
         if constexpr (width == 1)

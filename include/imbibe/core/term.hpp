@@ -6,7 +6,9 @@
 //   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`.
 // Besides its fields a particle has `material`, `gravity()` and `time_step`, the length of the step that is taken, s.
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
-// `static constexpr bool once = true;` (evaluated when the particles are added, not in every step).
+// `static constexpr bool once = true;` (evaluated when the particles are added, not in every step), and, of a particle
+// function, `static constexpr bool in_packs = true;`: like a pair function it asks nothing of its numbers by `if`, so
+// it is called for as many particles at once as the machine computes.
 // Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part), `using effect`
 // (what only one term of a phase may be, see below), `static constexpr bool of_solids = true;` (it asks for the elastic
 // moduli of `Solid`),
@@ -228,6 +230,11 @@ struct StoresOf<Term> {
     using type = typename Term::stores;
 };
 
+template <class Part>
+inline constexpr bool is_in_packs = false;
+template <class Part>
+    requires requires { Part::in_packs; }
+inline constexpr bool is_in_packs<Part> = Part::in_packs;
 template <class Part>
 inline constexpr bool is_once = false;
 template <class Part>

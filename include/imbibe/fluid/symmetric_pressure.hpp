@@ -29,6 +29,7 @@ struct SymmetricPressure {
     struct Prepare {
         using reads = Fields<density, pressure>;
         using sets = Fields<pressure_over_density2>;
+        static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const { return a[pressure] / sq(a[density]); }
     };

@@ -19,6 +19,7 @@ inline constexpr VolumeField volume{};
 struct Volume {
     using reads = Fields<mass, density>;
     using sets = Fields<volume>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const { return a[mass] / a[density]; }
 };

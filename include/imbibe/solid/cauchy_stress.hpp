@@ -17,6 +17,7 @@ inline constexpr CauchyStressField cauchy_stress{};
 struct CauchyStress {
     using reads = Fields<deformation_gradient, first_piola_stress>;
     using sets = Fields<cauchy_stress>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
         const auto F = a[deformation_gradient];

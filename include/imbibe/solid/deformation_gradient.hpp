@@ -36,6 +36,7 @@ struct DeformationGradient {
     struct Correct {
         using reads = Fields<raw_displacement_gradient, gradient_correction>;
         using sets = Fields<deformation_gradient>;
+        static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             using A = std::remove_cvref_t<decltype(a)>;

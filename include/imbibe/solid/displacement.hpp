@@ -19,6 +19,7 @@ inline constexpr DisplacementField displacement{};
 struct Displacement {
     using reads = Fields<position, reference_position>;
     using sets = Fields<displacement>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const { return a[position] - a[reference_position]; }
 };

@@ -17,6 +17,7 @@ struct NeoHookean {
     static constexpr bool of_solids = true;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
         using T = typename std::remove_cvref_t<decltype(a)>::Scalar;

@@ -19,6 +19,7 @@ struct StVenantKirchhoff {
     static constexpr bool of_solids = true;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
         using A = std::remove_cvref_t<decltype(a)>;

@@ -26,6 +26,7 @@ struct StressForce {
     struct Prepare {
         using reads = Fields<density, pressure, deviatoric_stress>;
         using sets = Fields<stress_over_density2>;
+        static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             using A = std::remove_cvref_t<decltype(a)>;

@@ -30,6 +30,7 @@ struct TotalLagrangianForce {
     struct Prepare {
         using reads = Fields<first_piola_stress, gradient_correction>;
         using sets = Fields<corrected_piola_stress>;
+        static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             using T = typename std::remove_cvref_t<decltype(a)>::Scalar;

@@ -48,6 +48,7 @@ struct Xsph {
     struct Smooth {
         using reads = Fields<velocity, relative_mean_velocity>;
         using sets = Fields<smoothed_velocity>;
+        static constexpr bool in_packs = true;
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
@@ -70,6 +71,7 @@ struct Xsph {
 struct XsphTransport {
     using reads = Fields<velocity, smoothed_velocity>;
     using sets = Fields<transport_correction>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const { return a[smoothed_velocity] - a[velocity]; }
 };

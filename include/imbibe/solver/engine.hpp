@@ -113,23 +113,23 @@ private:
             using P = typename N::A;
             const auto part = make_part<N>(owner<N>());
             using Reads = ReadsOnA<dim, N>;
-            for (int i = begin; i < end; ++i) {
-                OwnValues<Reads, dim, Number<Real>> own;
-                own.template load<FieldsOf<P>>(s.data() + i, s.stride());
-                const OwnView<P, Reads, dim, Number<Real>> a{own, s.material, this->gravity, step_length};
-                write_results<N>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
+            using T = Pack<Real, N::in_packs ? Base::width : 1>;
+            const P material = s.material; // a copy, as in a sweep
+            for (int i = begin; i < end; i += T::size) { // the last pack goes on into the room behind the particles
+                OwnValues<Reads, dim, T> own;
+                own.template load_consecutive<FieldsOf<P>>(s.data() + i, s.stride());
+                const OwnView<P, Reads, dim, T> a{own, material, this->gravity, step_length};
+                write_results<N, T>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
             }
         }
     }
-    template <class N, class S, class R, class... F>
+    template <class N, class T, class S, class R, class... F>
     IMBIBE_INLINE void write_results(S& s, int i, const R& result, TypeList<F...>) {
         const auto one = [&]<class G, class V>(std::type_identity<G>, const V& value) {
             for (int c = 0; c < components(G::rank, dim); ++c) {
-                Real& to = s.column(S::template offset<G> + c)[i];
-                if constexpr (contains<G, typename N::Sets>)
-                    to = static_cast<Real>(component(value, c));
-                else
-                    to += static_cast<Real>(component(value, c));
+                Real* const to = s.column(S::template offset<G> + c) + i;
+                const T given(component(value, c));
+                (contains<G, typename N::Sets> ? given : T::load(to) + given).store(to);
             }
         };
         if constexpr (is_tuple<R>)

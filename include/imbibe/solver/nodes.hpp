@@ -32,6 +32,7 @@ struct Node {
     using Sets = typename SetsOf<P>::type;
     static constexpr bool reference = uses_reference<P>;
     static constexpr bool once = is_once<P>;
+    static constexpr bool in_packs = is_in_packs<P>;
 };
 
 /// A node that advances state F of phase P by its rate.

@@ -18,6 +18,8 @@ struct list_the_coupling_in_the_solver;
 struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
 struct list_each_phase_and_coupling_once;
+struct list_the_term_Clamped_in_the_phase;
+struct remove_particles_of_other_phases_only;
 struct give_the_term_to_the_phase_or_use_current_neighbours;
 struct make_one_of_the_two_terms_read_something_else;
 struct use_fewer_terms_or_raise_the_limits_in_schedule_hpp;
@@ -82,6 +84,16 @@ struct NoSuchPhase {
 template <class What, class Advice>
 struct NotInTheScene {
     static_assert(never<What>, "imbibe: the scene does not have this phase or coupling");
+};
+/// Rule: a phase of which particles are held has the term that holds them.
+template <class Phase, class Advice>
+struct HeldWithoutClamped {
+    static_assert(never<Phase>, "imbibe: particles of this phase are to be held, and it has no term that holds them");
+};
+/// Rule: a phase whose sums go over the neighbours of the stress-free configuration keeps its particles.
+template <class Phase, class Advice>
+struct RemovedFromReference {
+    static_assert(never<Phase>, "imbibe: the particles of a total-Lagrangian phase cannot be removed");
 };
 /// Rule: a sum over the neighbours of the stress-free configuration is one within a phase.
 template <class Term, class Coupling, class Advice>

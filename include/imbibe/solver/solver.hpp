@@ -27,7 +27,7 @@ class IMBIBE_PER_BUILD Solver {
 public:
     /// What the compiler worked out: fields, rows, plans.
     using Scene = Composition<dim, Items...>;
-    static_assert(dim == 2 || dim == 3);
+    static_assert(dim == 2 || dim == 3, "imbibe: a scene has 2 or 3 dimensions");
     static_assert(Scene::valid || true); // it says by itself what is wrong, once
 
     /// The type of all stored numbers.
@@ -81,22 +81,26 @@ public:
     /// `Clamped`. Returns how many they are.
     template <class P, class Held>
     int hold(PhaseHandle<P>, const Held& held) {
-        auto& s = *find_phase<P>(engine_);
-        static_assert(detail::contains<Mobility, FieldsOf<P>>, "imbibe: list the term Clamped in the phase to hold it");
         int number = 0;
-        for (int i = 0; i < s.size(); ++i)
-            if (held(position_of(s, i))) {
-                s.field(mobility)[i] = Real(0);
-                for (int d = 0; d < dim; ++d)
-                    s.column(State<P>::template offset<Velocity> + d)[i] = Real(0);
-                ++number;
-            }
+        if constexpr (detail::contains<Mobility, FieldsOf<P>>) {
+            auto& s = *find_phase<P>(engine_);
+            for (int i = 0; i < s.size(); ++i)
+                if (held(position_of(s, i))) {
+                    s.field(mobility)[i] = Real(0);
+                    for (int d = 0; d < dim; ++d)
+                        s.column(State<P>::template offset<Velocity> + d)[i] = Real(0);
+                    ++number;
+                }
+        } else {
+            detail::break_rule<rules::HeldWithoutClamped<P, list_the_term_Clamped_in_the_phase>>();
+        }
         return number;
     }
     /// Removes the particles of a phase whose position fulfils `gone`. Returns how many they were.
     template <class P, class Gone>
     int remove_if(PhaseHandle<P>, const Gone& gone) {
-        static_assert(!State<P>::keeps_reference, "imbibe: particles of a total-Lagrangian solid cannot be removed");
+        if constexpr (State<P>::keeps_reference)
+            detail::break_rule<rules::RemovedFromReference<P, remove_particles_of_other_phases_only>>();
         auto& s = *find_phase<P>(engine_);
         std::vector<char> keep(static_cast<std::size_t>(s.size()), 1);
         int removed = 0;

@@ -47,7 +47,7 @@ struct NeighbourView {
 };
 
 /// Fields of the particle that is computed, each number in all lanes of a pack: in a sweep loaded once for all its
-/// neighbours.
+/// neighbours. Or of as many consecutive particles as a pack has lanes.
 template <class List, int dim, class T>
 struct OwnValues {
     T values[static_cast<std::size_t>(component_count<dim, List> > 0 ? component_count<dim, List> : 1)];
@@ -55,7 +55,12 @@ struct OwnValues {
     /// @param first the particle's number in the first column of its phase
     template <class Stored, class Real>
     IMBIBE_INLINE void load(const Real* first, std::size_t stride) {
-        load_fields<Stored>(first, stride, List{});
+        load_fields<Stored>(first, stride, List{}, [](const Real* number) { return T(*number); });
+    }
+    /// The same of the particles from there on.
+    template <class Stored, class Real>
+    IMBIBE_INLINE void load_consecutive(const Real* first, std::size_t stride) {
+        load_fields<Stored>(first, stride, List{}, [](const Real* number) { return T::load(number); });
     }
     template <class F>
     IMBIBE_INLINE auto get() const {
@@ -68,11 +73,11 @@ struct OwnValues {
 private:
     template <class Stored, class Real, class... F>
     IMBIBE_INLINE void load_fields([[maybe_unused]] const Real* first, [[maybe_unused]] std::size_t stride,
-                                   TypeList<F...>) {
+                                   TypeList<F...>, [[maybe_unused]] const auto& loaded) {
         [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
             for (int k = 0; k < components(G::rank, dim); ++k)
                 values[component_offset<dim, G, List> + k] =
-                    T(first[static_cast<std::size_t>(component_offset<dim, G, Stored> + k) * stride]);
+                    loaded(first + static_cast<std::size_t>(component_offset<dim, G, Stored> + k) * stride);
         };
         (one(std::type_identity<F>{}), ...);
     }

@@ -16,6 +16,7 @@ namespace imbibe {
 struct LinearState {
     using reads = Fields<density>;
     using sets = Fields<pressure>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
         return sq(a.material.sound_speed) * (a[density] - a.material.density);

@@ -21,6 +21,7 @@ struct Tait {
     static_assert(gamma >= 1, "imbibe: the exponent gamma of Tait must be a whole number from 1 on (7 for water)");
     using reads = Fields<density>;
     using sets = Fields<pressure>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
         using T = typename std::remove_cvref_t<decltype(a)>::Scalar;

@@ -1,6 +1,7 @@
 // Sub-cycling: one phase takes several short steps while the others take a long one.
 #pragma once
 
+#include <imbibe/core/rule.hpp>
 #include <imbibe/core/term.hpp>
 
 #include <algorithm>
@@ -21,6 +22,15 @@ inline constexpr MeanVelocity mean_velocity{};
 struct TimeAveragedMotion {
     using stores = Fields<mean_velocity>;
 };
+
+struct list_the_term_TimeAveragedMotion_in_the_phase;
+namespace rules {
+/// Rule: a phase that takes shorter steps than the scene keeps the mean of its motion for the others.
+template <class Phase, class Advice>
+struct SubcycledWithoutMean {
+    static_assert(sizeof(Phase) == 0, "imbibe: the phase that Subcycled names does not average its motion");
+};
+} // namespace rules
 
 /// SymplecticEuler for the scene, with steps that the limits of phase `Fast` do not shorten: within each, `Fast` takes
 /// as many steps of its own as its limits ask for, under the force that its couplings had at the beginning. What the
@@ -47,11 +57,13 @@ struct Subcycled {
 
     template <class Engine>
     static void start(Engine& engine) {
-        static_assert(Engine::template State<Fast>::template stores<MeanVelocity>,
-                      "imbibe: list the term TimeAveragedMotion in the phase that Subcycled names");
-        engine.template run<typename Engine::Composition::template OwnTerms<Fast>>(0);
-        auto& fast = engine.template state<Fast>();
-        copy(engine, fast.field(velocity), fast.field(mean_velocity));
+        if constexpr (Engine::template State<Fast>::template stores<MeanVelocity>) {
+            engine.template run<typename Engine::Composition::template OwnTerms<Fast>>(0);
+            auto& fast = engine.template state<Fast>();
+            copy(engine, fast.field(velocity), fast.field(mean_velocity));
+        } else {
+            detail::break_rule<rules::SubcycledWithoutMean<Fast, list_the_term_TimeAveragedMotion_in_the_phase>>();
+        }
     }
     /// One step of the scene.
     /// @param engine holds the particles
