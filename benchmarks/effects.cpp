@@ -40,16 +40,20 @@ struct WaterTait : Fluid<Tait<7>, VolumeContinuity<K>, VolumePressure<K>> {};
 struct WaterSymmetric : Fluid<LinearState, Continuity<K>, SymmetricPressure<K>> {};
 struct WaterRiemann : Fluid<LinearState, RiemannContinuity<K>, RiemannPressure<K>> {};
 struct WaterSummation : Fluid<LinearState, SummationDensity<K>, VolumePressure<K>> {};
+struct WaterSummationFloor : WaterWith<SummationFloor<K>> {};
+struct WaterTensionless : Fluid<LinearState, VolumeContinuity<K>, VolumePressure<K, Tension::none>> {};
 struct WaterAntuono : WaterWith<CurrentCorrection<K>, AntuonoDiffusion<K>> {};
 struct Rubber : RubberWith<> {};
 struct RubberArtificial : RubberWith<ArtificialStress<K>> {};
 struct RubberMonaghan : RubberWith<MonaghanViscosity<K>> {};
+struct RubberNormal : RubberWith<SurfaceNormal<K>> {};
 struct RubberHughesWinget
     : Solid<LinearState, Continuity<K>, VelocityGradient<K>, HughesWingetStress<>, StressForce<K>> {};
 struct Plate : PlateWith<> {};
 struct PlateHourglass : PlateWith<HourglassControl<K>> {};
 struct PlateViscosity : PlateWith<TotalLagrangianViscosity<K>> {};
 struct PlateClamped : PlateWith<Clamped> {};
+struct PlateCauchy : PlateWith<CauchyStress> {};
 struct PlateNeoHookean : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>> {};
 struct PlateVolumetric
     : Solid<ReferenceCorrection<K>, DeformationGradient<K>, VolumetricDeviatoric<>, TotalLagrangianForce<K>> {};
@@ -164,13 +168,18 @@ Cases all_cases() {
     add<WaterDiffusion>(cases, "`DensityDiffusion`", "a smooth pressure");
     add<WaterFloor>(cases, "`DensityFloor`", "splashes: no tension where drops part");
     add<WaterXsph>(cases, "`Xsph` with `XsphTransport`", "particles that move with their neighbours, in order");
-    add<WaterShifting>(cases, "`ParticleShifting`", "evenly spread particles where flow stretches them");
+    add<WaterShifting>(cases, "`ParticleShifting`, whose sums are `ShiftingNeighbours`",
+                       "evenly spread particles where flow stretches them");
     add<WaterAntuono>(cases, "`AntuonoDiffusion` with `CurrentCorrection`",
                       "a smooth pressure, where gravity is not all that acts");
     add<WaterRiemann>(cases, "`RiemannContinuity` and `RiemannPressure` in place of continuity and pressure",
                       "impacts");
     add<WaterSummation>(cases, "`SummationDensity` in place of `VolumeContinuity`",
                         "a density that follows from the places alone");
+    add<WaterSummationFloor>(cases, "`SummationFloor`, whose sum is `SummationNeighbours`",
+                             "water that is compressed where its density does not say so");
+    add<WaterTensionless>(cases, "`VolumePressure` with `Tension::none` in place of that without",
+                          "water that no wall holds back");
     add<WaterSymmetric>(cases, "`Continuity` and `SymmetricPressure` in place of those of volumes",
                         "the sponge paper's pair, for one fluid");
     add<WaterTait>(cases, "`Tait` in place of `LinearState`", "a liquid that stiffens under pressure");
@@ -180,6 +189,7 @@ Cases all_cases() {
         "what the rows below are compared with");
     add<RubberArtificial>(cases, "`ArtificialStress`", "keeps particles from clumping under tension");
     add<RubberMonaghan>(cases, "`MonaghanViscosity`", "damps waves that go from particle to particle");
+    add<RubberNormal>(cases, "`SurfaceNormal`", "which way a surface faces, for `SurfaceNormalPressure`");
     add<RubberHughesWinget>(cases, "`HughesWingetStress` in place of `JaumannStress`", "solids that turn far");
     add<Plate>(cases,
                "a total-Lagrangian solid: `ReferenceCorrection`, `DeformationGradient`, `StVenantKirchhoff`, "
@@ -188,6 +198,7 @@ Cases all_cases() {
     add<PlateHourglass>(cases, "`HourglassControl`", "resists motions that leave the deformation gradient as it is");
     add<PlateViscosity>(cases, "`TotalLagrangianViscosity`", "damps what rings");
     add<PlateClamped>(cases, "`Clamped`", "holds some of the particles where they are");
+    add<PlateCauchy>(cases, "`CauchyStress`", "the stress as others write it, for output");
     add<PlateNeoHookean>(cases, "`NeoHookean` in place of `StVenantKirchhoff`", "large strains, above all compression");
     add<PlatePairwise>(cases, "`PairwiseShearForce` in place of law and force",
                        "solids that are hit, twisted or bent hard");

@@ -6,7 +6,7 @@
     python3 tools/benchmark_report.py --build build-benchmark --clang build-benchmark-clang
 
 The results stay as JSON in build-benchmark/results/; --reuse writes the report from them again without measuring. With
---quick it takes two minutes instead of half an hour and leaves out the largest scenes. Nothing else should run on the
+--quick it takes two minutes instead of ten a round and leaves out the largest scenes. Nothing else should run on the
 machine: the report says how busy it was.
 """
 
@@ -47,7 +47,7 @@ def percent(part):
 class Report:
     def __init__(self, arguments):
         self.build, self.output = arguments.build, arguments.output
-        self.quick = results.was_quick(os.path.join(self.build, "results"))
+        self.quick, self.commit = results.how(os.path.join(self.build, "results"))
         self.pictures = os.path.splitext(self.output)[0]
         self.rows, self.contexts = results.read(os.path.join(self.build, "results"))
         self.clang = arguments.clang
@@ -80,22 +80,25 @@ class Report:
     # ---- the sections ----
 
     def head(self):
-        busy = [context["load_avg"][0] for context in self.contexts.values() if context.get("load_avg")]
-        commit = results.first_line(["git", "-C", ROOT, "describe", "--always", "--dirty"]).strip()
+        busy = [context["load_avg"][0] for context in self.contexts if context.get("load_avg")]
         self.lines += [
             "# Speed", "",
             f"Written by `python3 tools/benchmark_report.py{' --quick' if self.quick else ''}`; "
             "what it cannot measure is not here.", "",
             f"- Processor: {results.machine()}",
             f"- Compiler: {results.compiler(self.build)}",
-            f"- imbibe: {commit or 'unknown version'}",
+            f"- imbibe: {self.commit}",
             f"- Programs that ran at the same time: load average {min(busy):.1f} to {max(busy):.1f} while measuring"
             if busy else "- Programs that ran at the same time: unknown", "",
             "Times are CPU times of one thread, those of two threads real times; the least of "
-            f"{'one repetition' if self.quick else 'five repetitions'}. A particle-step is one particle in one step.",
+            f"{'one repetition' if self.quick else 'five repetitions'}{self.rounds_in_words()}. A particle-step is one particle in one step.",
             ""]
         if busy and max(busy) > 1.5:
             self.lines += ["**The machine was busy: trust ratios, not the numbers themselves.**", ""]
+
+    def rounds_in_words(self):
+        rounds = len(results.files_of(os.path.join(self.build, "results"), "bench_steps"))
+        return f" in each of {rounds} rounds" if rounds > 1 else ""
 
     def bars(self):
         """What was asked of the core beforehand, beside what these results say of it."""
@@ -356,13 +359,21 @@ def main():
     parser.add_argument("--clang", metavar="BUILD", help="build folder of the preset benchmark-clang, for one row more")
     parser.add_argument("--output", default=os.path.join(ROOT, "docs", "speed.md"), help="default: docs/speed.md")
     parser.add_argument("--quick", action="store_true", help="short and rough")
+    parser.add_argument("--rounds", type=int, default=1, metavar="N",
+                        help="measure all N times and take the best: other work on the machine comes and goes")
+    parser.add_argument("--more", action="store_true", help="add to the stored results instead of forgetting them")
     parser.add_argument("--reuse", action="store_true", help="write the report from stored results")
     arguments = parser.parse_args()
     folder = os.path.join(arguments.build, "results")
     if not arguments.reuse:
-        results.run(arguments.build, folder, arguments.quick)
-        if arguments.clang:
-            results.run(arguments.clang, os.path.join(arguments.clang, "results"), arguments.quick, "bench_sweep")
+        clang_folder = os.path.join(arguments.clang, "results") if arguments.clang else None
+        for found in (folder, clang_folder) if not arguments.more else ():
+            if found:
+                results.clear(found)
+        for _ in range(arguments.rounds):
+            results.run(arguments.build, folder, arguments.quick)
+            if arguments.clang:
+                results.run(arguments.clang, clang_folder, arguments.quick, "bench_sweep")
         print("count_instructions ...", flush=True)
         counts = count_instructions.counts_of(os.path.abspath(os.path.join(arguments.build, "benchmarks",
                                                                            "count_instructions")))

@@ -31,18 +31,16 @@ def programs_in(build):
 
 
 def run(build, results, quick, only=None):
-    """Runs every program, or that named `only`, and leaves its JSON in `results`."""
+    """Runs every program, or that named `only`, and leaves its JSON in `results`, beside those of earlier rounds."""
     folder, names = programs_in(build)
     if only:
         names = [name for name in names if name == only] or stop(f"there is no {only} in {folder}")
     os.makedirs(results, exist_ok=True)
     options = QUICK if quick else FULL
     with open(os.path.join(results, "options.json"), "w") as file:
-        json.dump(options, file)
+        json.dump({"options": options, "commit": commit()}, file)
     for name in names:
-        output = os.path.join(results, f"{name}.json")
-        if os.path.exists(output):
-            os.remove(output)
+        output = os.path.join(results, f"{name}.{len(files_of(results, name))}.json")
         print(f"{name} ...", flush=True)
         # No report line on the terminal is needed, the file has it all.
         done = subprocess.run([os.path.join(folder, name), f"--benchmark_out={output}", *options], text=True,
@@ -55,13 +53,32 @@ def run(build, results, quick, only=None):
             stop(f"{name} failed with {done.returncode}:\n{done.stderr}")
 
 
-def was_quick(results):
-    """Whether the results are those of a quick run."""
+def files_of(results, name=r"(?:peaks|bench_\w+)"):
+    """The files of a program's results, or of all programs': one a round."""
+    found = sorted(os.listdir(results)) if os.path.isdir(results) else []
+    return [file for file in found if re.fullmatch(name + r"\.\d+\.json", file)]
+
+
+def clear(results):
+    """Forgets the rounds of before."""
+    for file in files_of(results):
+        os.remove(os.path.join(results, file))
+
+
+def how(results):
+    """(whether the results are those of a quick run, the commit of the library that they are of)"""
     try:
         with open(os.path.join(results, "options.json")) as file:
-            return json.load(file) == QUICK
-    except (OSError, ValueError):
-        return False
+            stored = json.load(file)
+            return stored["options"] == QUICK, stored["commit"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return False, "unknown version"
+
+
+def commit():
+    """The commit that is checked out here."""
+    return first_line(["git", "-C", os.path.dirname(os.path.abspath(__file__)), "describe", "--always",
+                       "--dirty"]).strip() or "unknown version"
 
 
 def command_of(build, name, quick):
@@ -70,27 +87,24 @@ def command_of(build, name, quick):
 
 
 def read(results):
-    """{program: {benchmark: {counter: number}}}, the best of the repetitions, and {program: context}."""
-    rows, contexts = {}, {}
-    for file in sorted(os.listdir(results)) if os.path.isdir(results) else []:
-        name = file.removesuffix(".json")
-        if name != "peaks" and not name.startswith("bench_"):
-            continue
+    """{program: {benchmark: {counter: number}}}, the best of all repetitions of all rounds, and the contexts."""
+    rows, contexts = {}, []
+    for file in files_of(results):
+        name = file.split(".")[0]
         try:
             with open(os.path.join(results, file)) as stream:
-                found = json.load(stream)
+                measured = json.load(stream)
         except ValueError:
             stop(f"{file} is not complete; run the benchmarks again")
-        contexts[name], repetitions = found["context"], {}
-        for row in found["benchmarks"]:
+        contexts.append(measured["context"])
+        for row in measured["benchmarks"]:
             if row.get("error_occurred"):
                 stop(f"{name}, {row['name']}: {row['error_message']}")
             if row["run_type"] == "iteration":
-                repetitions.setdefault(row["run_name"], []).append(row)
-        rows[name] = {clean(benchmark): best(of) for benchmark, of in repetitions.items()}
+                rows.setdefault(name, {}).setdefault(clean(row["run_name"]), []).append(row)
     if not rows:
         stop(f"there are no results in {results}")
-    return rows, contexts
+    return {name: {benchmark: best(of) for benchmark, of in found.items()} for name, found in rows.items()}, contexts
 
 
 def clean(name):

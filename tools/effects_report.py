@@ -69,6 +69,7 @@ def table_of_effects(program):
 REACH = {
     "sponge_alone": "the sponge alone",
     "water_alone": "water and vessel alone",
+    "walls_twice": "the same, with all walls once more where no water is",
     "out_of_reach": "all of them, the water 4.5 mm above the sponge, out of reach",
     "within_reach": "all of them, the water 0.4 mm above the sponge",
     "guarded": "the same with a `Guard`",
@@ -82,7 +83,8 @@ def table_of_reach(program):
     apart = counts["sponge_alone"] + counts["water_alone"]
     share = {case: 100 * (counts[case] / apart - 1) for case in REACH}
     return "\n".join([*lines, "", f"Out of reach a step takes {share['out_of_reach']:+.1f} % instructions against those of "
-                      f"its two halves together, within reach {share['within_reach']:+.1f} %. A guard costs "
+                      f"its two halves together, within reach {share['within_reach']:+.1f} %. Walls that no water is near, as many as those "
+                      f"that it is near, cost {100 * (counts['walls_twice'] / counts['water_alone'] - 1):+.1f} %. A guard costs "
                       f"{100 * (counts['guarded'] / counts['within_reach'] - 1):.1f} %.", ""])
 
 

@@ -72,5 +72,6 @@ def tables():
     for kind, names in rows("policies.md", "| | Policies |"):
         if kind not in ("Parts that terms share", "Time", "Watching"):
             for name in re.findall(r"`(\w+)", names):
-                made.setdefault(name, ["@par Cost", "Not measured by itself yet."])
+                made.setdefault(name, ["@par Cost", "Not measured by itself yet." if name[0].isupper() else
+                                       "None in a step: called when the scene is set up."])
     return made
