@@ -34,7 +34,8 @@ struct Cube {
 };
 
 /// The scene of examples/dam_break.cpp, in any size.
-struct Water : Fluid<Tait<7>, VolumeContinuity<K>, DensityDiffusion<K>, VolumePressure<K>, MonaghanViscosity<K>> {};
+struct Water : Fluid<Tait<7>, VolumeContinuity<K>, DensityDiffusion<K>, DensityFloor, VolumePressure<K>,
+                     MonaghanViscosity<K>> {};
 struct Tank : Wall<> {};
 struct TankSides
     : Coupling<Water, Tank, Into<Tank, PressureExtrapolation<K>>, VolumePressure<K>, Into<Water, VolumeContinuity<K>>> {

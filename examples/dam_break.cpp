@@ -4,8 +4,8 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
-                          sph::MonaghanViscosity<K>> {};
+struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
+                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
 struct Tank : sph::Wall<> {};
 struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                              sph::Into<Water, sph::VolumeContinuity<K>>> {};

@@ -51,45 +51,60 @@ struct PaperCoupling {
     }
 };
 
+/// The same in space.
+struct PaperCouplingInSpace : PaperCoupling {
+    using Fluid = PaperInSpace;
+    using Preset = sph::presets::PaperSponge;
+    using Body = Preset::Sponge;
+    using Contact = Preset::Contact;
+    static void set(Body& body) { Hypoelastic::set(body); }
+    static void set(Contact& contact, const Fluid::Water&) {
+        contact.set(sph::KernelRepulsionParameters{.stiffness = 1e8});
+    }
+};
+
 /// The same coupling with another integrator.
 template <class C, class With>
 struct CoupledWith : C {
     using Fluid = Integrated<typename C::Fluid, With>;
 };
 
-template <class C, class Real>
-using CoupledScene = sph::Solver<2, Real, typename C::Fluid::Integrator, typename C::Fluid::Water, typename C::Body,
+template <class C, class Real, int dim = 2>
+using CoupledScene = sph::Solver<dim, Real, typename C::Fluid::Integrator, typename C::Fluid::Water, typename C::Body,
                                  typename C::Fluid::Tank, typename C::Contact, typename C::Fluid::Sides>;
 
-template <class C, class Real>
-CoupledScene<C, Real> coupled_scene(double c) {
-    CoupledScene<C, Real> scene({.gravity = {0, -g}, .support_radius = C::Fluid::support * dx, .threads = 1});
+template <class C, class Real, int dim = 2>
+CoupledScene<C, Real, dim> coupled_scene(double c) {
+    CoupledScene<C, Real, dim> scene({.gravity = downwards<dim>(g),
+                                      .support_radius = C::Fluid::support * dx,
+                                      .threads = 1});
     const auto water = water_of<typename C::Fluid>(c);
     C::Fluid::set(scene.template coupling<typename C::Fluid::Sides>(), water);
     C::set(scene.template coupling<typename C::Contact>(), water);
     return scene;
 }
-template <class C, class Scene>
-auto add_body(Scene& scene, const std::vector<sph::Point<2>>& points, double E, double poisson, double density) {
+template <class C, class Scene, class Points>
+auto add_body(Scene& scene, const Points& points, double E, double poisson, double density) {
     auto body = elastic<typename C::Body>(E, poisson, density);
     body.support_radius = C::body_support * dx;
     C::set(body);
     return scene.add(body, points, dx);
 }
 
-/// A block of water falls with `value` m/s on a plate that is held at both ends.
-template <class C, class Real = double>
+/// A block of water falls with `value` m/s on a plate that is held at two ends.
+template <class C, class Real = double, int dim = 2>
 Outcome water_on_plate(const Plan& plan) {
     const double v = plan.value, c = 30;
-    auto scene = coupled_scene<C, Real>(c);
-    const auto plate = add_body<C>(scene, sph::fill(sph::Box<2>{{-15 * dx, -5 * dx}, {15 * dx, 0}}, dx), 1e6, 0.3, 950);
-    scene.hold(plate, [](const auto& x) { return std::abs(x[0]) > 12 * dx; });
-    auto block = sph::fill(sph::Box<2>{{-5 * dx, 0}, {5 * dx, 10 * dx}}, dx);
+    auto scene = coupled_scene<C, Real, dim>(c);
+    constexpr double half = (dim == 2 ? 15 : 10) * dx;
+    const auto plate = add_body<C>(scene, sph::fill(box<dim>({-half, -5 * dx}, {half, 0}), dx), 1e6, 0.3, 950);
+    scene.hold(plate, [](const auto& x) { return std::abs(x[0]) > half - 3 * dx; });
+    auto block = sph::fill(box<dim>({-half / 3, 0}, {half / 3, 2 * half / 3}), dx);
     for (auto& x : block)
         x[1] += (C::gap + 1) * dx;
     const auto water = add_water<typename C::Fluid>(scene, block, c);
     scene[water][sph::velocity].col(1).setConstant(static_cast<Real>(-v));
-    const Watch<2> watch{.end = 15 * dx / v,
+    const Watch<dim> watch{.end = 15 * dx / v,
                          .guard = {.energy = 0.05},
                          .signs = {{"particles inside the plate", 0.5}},
                          .expected_steps = 15 * c / v};
@@ -99,7 +114,8 @@ Outcome water_on_plate(const Plan& plan) {
         for (Eigen::Index i = 0; i < w.rows(); ++i) {
             bool above = false, below = false;
             for (Eigen::Index j = 0; j < p.rows(); ++j)
-                if (std::abs(static_cast<double>(p(j, 0) - w(i, 0))) < 0.6 * dx) {
+                if (const auto off = (p.row(j) - w.row(i)).cwiseAbs().eval();
+                    off[0] < static_cast<Real>(0.6 * dx) && (dim == 2 || off[dim - 1] < static_cast<Real>(0.6 * dx))) {
                     above = above || p(j, 1) > w(i, 1) + static_cast<Real>(0.3 * dx);
                     below = below || p(j, 1) < w(i, 1);
                 }
@@ -133,17 +149,16 @@ Outcome free_fall(const Plan& plan) {
 }
 
 /// A block that is `value` times as heavy as water is let go on a pool. Row 8: what it has to push is its added mass.
-template <class C, class Real = double>
+template <class C, class Real = double, int dim = 2>
 Outcome light_block(const Plan& plan) {
-    constexpr double wide = 20, deep = 8, off = C::gap * dx, inner = wide * dx + 2 * off, surface = deep * dx + off;
+    constexpr double wide = dim == 2 ? 20 : 14, deep = dim == 2 ? 8 : 6, off = C::gap * dx, inner = wide * dx + 2 * off, surface = deep * dx + off;
     const double c = 10 * std::sqrt(2 * g * deep * dx), unit = std::sqrt(deep * dx / g);
-    auto scene = coupled_scene<C, Real>(c);
-    const auto water = add_water<typename C::Fluid>(scene, pool<typename C::Fluid>(wide, deep), c);
-    (void)water;
-    add_tank<typename C::Fluid>(scene, sph::Box<2>{{0, 0}, {inner, inner}}, c);
-    auto points = sph::fill(sph::Box<2>{{0, 0}, {8 * dx, 4 * dx}}, dx);
+    auto scene = coupled_scene<C, Real, dim>(c);
+    add_water<typename C::Fluid>(scene, pool<typename C::Fluid, dim>(wide, deep), c);
+    add_tank<typename C::Fluid>(scene, box<dim>({0, 0}, {inner, inner}), c);
+    auto points = sph::fill(box<dim>({0, 0}, {8 * dx, 4 * dx}), dx);
     for (auto& x : points)
-        x += sph::Point<2>(inner / 2 - 4 * dx, surface + off);
+        x += at<dim>(inner / 2 - 4 * dx, surface + off);
     const double density = 1000 * plan.value;
     const auto block = add_body<C>(scene, points, 2e4, 0.3, density);
     double before = 0, push = 0, change = 0; // momentum, its rate, the change of the rate
@@ -151,7 +166,7 @@ Outcome light_block(const Plan& plan) {
     int flips = 0, looks = 0;
     const double end = 3 * unit;
     const double c_body = scene[block].material().longitudinal_wave_speed();
-    const Watch<2> watch{.end = end,
+    const Watch<dim> watch{.end = end,
                          .guard = {},
                          .signs = {{"speed of the block over that of waves", 3},
                                    {"share of steps in which the push changes its course", 0.9}},
@@ -168,7 +183,7 @@ Outcome light_block(const Plan& plan) {
             before = now;
             time = s.time();
         }
-        const double mass = density * 32 * dx * dx;
+        const double mass = density * static_cast<double>(points.size()) * sph::power<dim>(dx);
         return std::vector{std::abs(now) / mass / std::sqrt(g * deep * dx),
                            looks > 50 ? static_cast<double>(flips) / looks : 0};
     });

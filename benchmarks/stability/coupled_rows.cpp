@@ -5,18 +5,18 @@
 namespace stability {
 namespace {
 
-template <class C, class Real = double>
+template <class C, class Real = double, int dim = 2>
 void add(Table& table, const std::string& name) {
     const auto row = [&](const char* scene, auto run, double value) {
         table.rows.push_back({"Coupled", name, scene, value, run});
     };
-    row("water on a plate, 1 m/s", water_on_plate<C, Real>, 1);
-    row("block as heavy as water", light_block<C, Real>, 1);
-    row("block of a tenth", light_block<C, Real>, 0.1);
-    table.frontiers.push_back({name, "block on a pool", "density / that of water", 1, 0.05, light_block<C, Real>});
+    row("water on a plate, 1 m/s", water_on_plate<C, Real, dim>, 1);
+    row("block as heavy as water", light_block<C, Real, dim>, 1);
+    row("block of a tenth", light_block<C, Real, dim>, 0.1);
+    table.frontiers.push_back({name, "block on a pool", "density / that of water", 1, 0.05, light_block<C, Real, dim>});
     table.frontiers.push_back({name, "water on a plate", "speed / c", 0.01, 0.5, [](Plan plan) {
                                    plan.value *= 30; // m/s
-                                   return water_on_plate<C, Real>(plan);
+                                   return water_on_plate<C, Real, dim>(plan);
                                }});
 }
 
@@ -29,6 +29,8 @@ void add_coupled(Table& table) {
                                                             sph::text(SoundCoupling::name, ", StaggeredLeapfrog"));
     add<RiemannCoupling>(table, RiemannCoupling::name);
     add<PaperCoupling>(table, PaperCoupling::name);
+    add<SoundCoupling, float, 3>(table, sph::text(SoundCoupling::name, ", 3D, float"));
+    add<PaperCouplingInSpace, float, 3>(table, sph::text(PaperCoupling::name, ", 3D, float"));
 }
 
 } // namespace stability

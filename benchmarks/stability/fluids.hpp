@@ -1,6 +1,7 @@
 // The fluids of the gauntlet, each with its walls, and the scenes they are tried in.
 //
-// All are in two dimensions, with the spacing and the walls of the paper's water. Speeds are given in sound speeds.
+// With the spacing and the walls of the paper's water, in the plane or in space. In both y points upwards; what is a
+// square or a strip in the plane is a cube or a square there. Speeds are given in sound speeds.
 #pragma once
 
 #include "march.hpp"
@@ -49,14 +50,14 @@ struct Unbraked : WeaklyCompressible {
     }
 };
 
-/// The water of the dam break in the README: stiffer state, no floor under the density.
+/// The water of the dam break in the README: stiffer state, no slack under its floor, walls that pull.
 struct DamBreak {
     static constexpr const char* name = "README's dam break";
     using Integrator = sph::SymplecticEuler;
     static constexpr double support = 2.6, gap = 0;
     using K = sph::WendlandC2;
-    struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
-                              sph::MonaghanViscosity<K>> {};
+    struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
+                              sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
     struct Tank : sph::Wall<> {};
     struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                  sph::Into<Water, sph::VolumeContinuity<K>>> {};
@@ -64,7 +65,18 @@ struct DamBreak {
     static void set(Sides&, const Water&) {}
 };
 
-/// The same as it was before it had a beta.
+/// The same as it was before it had a floor: under tension its particles clump, and drops that have come off burst.
+struct FloorlessDamBreak : DamBreak {
+    static constexpr const char* name = "README's dam break without floor";
+    struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
+                              sph::MonaghanViscosity<K>> {};
+    struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                                 sph::Into<Water, sph::VolumeContinuity<K>>> {};
+    static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }
+    static void set(Sides&, const Water&) {}
+};
+
+/// The same without Monaghan's beta.
 struct UnbrakedDamBreak : DamBreak {
     static constexpr const char* name = "README's dam break without beta";
     using DamBreak::set;
@@ -114,14 +126,38 @@ struct Paper {
     static void set(Sides& sides, const Water&) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
 };
 
+/// The same in space.
+struct PaperInSpace : Paper {
+    using Preset = sph::presets::PaperSponge;
+    using Water = Preset::Water;
+    using Tank = Preset::Vessel;
+    using Sides = Preset::Sides;
+    static void set(Water& water) { water.viscosity = 3.5e-3; }
+    static void set(Sides& sides, const Water&) { sides.set(sph::KernelRepulsionParameters{.stiffness = 1e8}); }
+};
+
 /// The same fluid with another integrator.
 template <class F, class With>
 struct Integrated : F {
     using Integrator = With;
 };
 
-template <class F, class Real>
-using FluidScene = sph::Solver<2, Real, typename F::Integrator, typename F::Water, typename F::Tank, typename F::Sides>;
+template <class F, class Real, int dim = 2>
+using FluidScene = sph::Solver<dim, Real, typename F::Integrator, typename F::Water, typename F::Tank,
+                               typename F::Sides>;
+
+/// The point at the height y whose other coordinates are x, m.
+template <int dim>
+sph::Point<dim> at(double x, double y) {
+    sph::Point<dim> point = sph::Point<dim>::Constant(x);
+    point[1] = y;
+    return point;
+}
+/// A box from `low` to `high`, m; in space as long along z as along x.
+template <int dim>
+sph::Box<dim> box(const sph::Point<2>& low, const sph::Point<2>& high) {
+    return {at<dim>(low[0], low[1]), at<dim>(high[0], high[1])};
+}
 
 /// The water of fluid F with a sound speed, m/s.
 template <class F>
@@ -130,40 +166,53 @@ typename F::Water water_of(double c) {
     F::set(water);
     return water;
 }
+/// The gravity of so many m/s^2 along -y.
+template <int dim>
+std::array<double, static_cast<std::size_t>(dim)> downwards(double gravity) {
+    std::array<double, static_cast<std::size_t>(dim)> all{};
+    all[1] = -gravity;
+    return all;
+}
 /// A scene of fluid F with a sound speed, m/s, that is empty so far.
-template <class F, class Real>
-FluidScene<F, Real> fluid_scene(double gravity, double c, std::array<double, 2> period = {0, 0}) {
-    FluidScene<F, Real> scene(
-        {.gravity = {0, -gravity}, .support_radius = F::support * dx, .periodic_length = period, .threads = 1});
+template <class F, class Real, int dim = 2>
+FluidScene<F, Real, dim> fluid_scene(double gravity, double c, const std::array<double, static_cast<std::size_t>(dim)>& period = {}) {
+    FluidScene<F, Real, dim> scene({.gravity = downwards<dim>(gravity),
+                                    .support_radius = F::support * dx,
+                                    .periodic_length = period,
+                                    .threads = 1});
     F::set(scene.template coupling<typename F::Sides>(), water_of<F>(c));
     return scene;
 }
-template <class F, class Scene>
-auto add_water(Scene& scene, const std::vector<sph::Point<2>>& points, double c) {
+template <class F, class Scene, class Points = std::vector<sph::Point<2>>>
+auto add_water(Scene& scene, const Points& points, double c) {
     return scene.add(water_of<F>(c), points, dx);
 }
-template <class F, class Scene>
-void add_tank(Scene& scene, const sph::Box<2>& inside, double c, sph::Sides open = sph::Sides::y_high, int layers = 3) {
+template <class F, class Scene, int dim>
+void add_tank(Scene& scene, const sph::Box<dim>& inside, double c, sph::Sides open = sph::Sides::y_high,
+              int layers = 3) {
     typename F::Tank tank{{.density = 1000}};
     tank.sound_speed = c;
     scene.add(tank, sph::tank(inside, dx, layers, open), dx);
 }
 /// Water that fills `wide` by `high` spacings from the lower left corner of a tank.
-template <class F>
-std::vector<sph::Point<2>> pool(double wide, double high) {
+template <class F, int dim = 2>
+std::vector<sph::Point<dim>> pool(double wide, double high) {
     const double off = F::gap * dx;
-    return sph::fill(sph::Box<2>{{off, off}, {off + wide * dx, off + high * dx}}, dx);
+    return sph::fill(box<dim>({off, off}, {off + wide * dx, off + high * dx}), dx);
 }
 
 /// The shortest waves: a periodic square of water, shaken particle by particle.
-template <class F, class Real = double>
+template <class F, class Real = double, int dim = 2>
 Outcome shaken_water(const Plan& plan) {
+    constexpr double side = (dim == 2 ? 16 : 10) * dx;
     const double c = 30;
-    auto scene = fluid_scene<F, Real>(0, c, {16 * dx, 16 * dx});
-    const auto water = add_water<F>(scene, sph::fill(sph::Box<2>{{0, 0}, {16 * dx, 16 * dx}}, dx), c);
+    std::array<double, static_cast<std::size_t>(dim)> period;
+    period.fill(side);
+    auto scene = fluid_scene<F, Real, dim>(0, c, period);
+    const auto water = add_water<F>(scene, sph::fill(box<dim>({0, 0}, {side, side}), dx), c);
     shake(scene[water], 1e-3 * c);
     Growth growth;
-    const Watch<2> watch{.end = 400 * dx / c,
+    const Watch<dim> watch{.end = 400 * dx / c,
                          .guard = {.energy = std::numeric_limits<double>::infinity()},
                          .signs = {{"kinetic energy over that at the start", 4}},
                          .expected_steps = 400};
@@ -171,21 +220,23 @@ Outcome shaken_water(const Plan& plan) {
 }
 
 /// Water that is let go in a tank without pressure and comes to rest, for `value` times sqrt(depth/g) (0: 6 of them,
-/// some 3400 steps). Rows 5 and 20.
-template <class F, class Real = double>
+/// some 3400 steps; in space 40, because a cubic lattice under pressure takes 10 to fall into a denser order). Rows 5
+/// and 20.
+template <class F, class Real = double, int dim = 2>
 Outcome still_water(const Plan& plan) {
-    constexpr double wide = 16, depth = wide * dx;
-    const double c = 10 * std::sqrt(2 * g * depth), weight = wide * dx * depth * 1000 * g, unit = std::sqrt(depth / g);
-    auto scene = fluid_scene<F, Real>(g, c);
-    const auto water = add_water<F>(scene, pool<F>(wide, wide), c);
+    constexpr double wide = dim == 2 ? 16 : 8, depth = wide * dx;
+    const double c = 10 * std::sqrt(2 * g * depth), weight = sph::power<dim>(depth) * 1000 * g,
+                 unit = std::sqrt(depth / g);
+    auto scene = fluid_scene<F, Real, dim>(g, c);
+    const auto water = add_water<F>(scene, pool<F, dim>(wide, wide), c);
     const double inner = (wide + 2 * F::gap) * dx;
-    add_tank<F>(scene, sph::Box<2>{{0, 0}, {inner, 1.5 * inner}}, c);
+    add_tank<F>(scene, box<dim>({0, 0}, {inner, 1.5 * inner}), c);
     // What is set free is weight depth/600 where the column bears itself, and the fall to the walls where there is a
     // gap.
     const double fall = F::gap * dx;
     const double released = weight * (depth / 600 + fall);
-    const double end = (plan.value > 0 ? plan.value : 6) * unit;
-    const Watch<2> watch{.end = end,
+    const double end = (plan.value > 0 ? plan.value : dim == 2 ? 6 : 40) * unit;
+    const Watch<dim> watch{.end = end,
                          .guard = {.energy = std::numeric_limits<double>::infinity()},
                          .signs = {{"alternating pressure over that at the bottom", 0.2},
                                    {"kinetic energy over what is set free", 1},
@@ -206,39 +257,44 @@ Outcome still_water(const Plan& plan) {
 }
 
 /// A block of water that is thrown on a floor, at `value` sound speeds. Row 7.
-template <class F, class Real = double>
+template <class F, class Real = double, int dim = 2>
 Outcome impact(const Plan& plan) {
     const double c = 30, v = plan.value * c;
-    auto scene = fluid_scene<F, Real>(0, c);
-    std::vector<sph::Point<2>> block = sph::fill(sph::Box<2>{{-6 * dx, 0}, {6 * dx, 12 * dx}}, dx);
+    auto scene = fluid_scene<F, Real, dim>(0, c);
+    constexpr double half = (dim == 2 ? 6 : 5) * dx;
+    auto block = sph::fill(box<dim>({-half, 0}, {half, 2 * half}), dx);
     for (auto& x : block)
         x[1] += (F::gap + 1) * dx;
     const auto water = add_water<F>(scene, block, c);
-    add_tank<F>(scene, sph::Box<2>{{-30 * dx, 0}, {30 * dx, 10 * dx}}, c, sph::Sides::x | sph::Sides::y_high);
+    constexpr auto open = sph::Sides::x | sph::Sides::y_high;
+    constexpr double reach = (dim == 2 ? 30 : 18) * dx;
+    add_tank<F>(scene, box<dim>({-reach, 0}, {reach, 10 * dx}), c, dim == 2 ? open : open | sph::Sides::z);
     scene[water][sph::velocity].col(1).setConstant(static_cast<Real>(-v));
-    const Watch<2> watch{
+    const Watch<dim> watch{
         .end = 6 * dx / v,
         .guard = {.energy = 0.05},
         .signs = {{"spacings over the least distance of a pair", 5}, {"way into the wall, spacings", 1}},
         .expected_steps = 6 * c / v};
     return march(scene, plan, watch, [&](const auto& s) {
-        return std::vector{1 / closest_pair(s[water]), way_into_wall(s[water], 30 * dx)};
+        return std::vector{1 / closest_pair(s[water]), way_into_wall(s[water], reach)};
     });
 }
 
-/// A square of water that spins: tension in its middle. Row 1: do particles clump? Row 6: does a void open?
-template <class F, class Real = double, bool voids = false>
+/// A square or cube of water that spins about z: tension in its middle. Row 1: do particles clump? Row 6: does a void
+/// open? (In space the water closes in along the axis, to half its height: the middle is a disc in the plane z = 0.)
+template <class F, class Real = double, bool voids = false, int dim = 2>
 Outcome spinning_square(const Plan& plan) {
     constexpr double side = 20 * dx;
     const double c = 30, omega = 0.1 * c / side;
-    auto scene = fluid_scene<F, Real>(0, c);
-    const auto water = add_water<F>(scene, sph::fill(sph::Box<2>{{-side / 2, -side / 2}, {side / 2, side / 2}}, dx), c);
+    auto scene = fluid_scene<F, Real, dim>(0, c);
+    const auto water = add_water<F>(scene, sph::fill(box<dim>({-side / 2, -side / 2}, {side / 2, side / 2}), dx), c);
     auto view = scene[water];
     for (int i = 0; i < view.size(); ++i) {
         const Real x = view[sph::position](i, 0), y = view[sph::position](i, 1);
-        view[sph::velocity].row(i) << static_cast<Real>(omega) * y, -static_cast<Real>(omega) * x;
+        view[sph::velocity](i, 0) = static_cast<Real>(omega) * y;
+        view[sph::velocity](i, 1) = -static_cast<Real>(omega) * x;
     }
-    const Watch<2> watch{
+    const Watch<dim> watch{
         .end = 1.5 / omega,
         .guard = {},
         .signs = {{voids ? "void in the middle (1 - concentration)" : "spacings over the least distance of a pair",
@@ -246,29 +302,52 @@ Outcome spinning_square(const Plan& plan) {
         .every = 20,
         .expected_steps = 1.5 / omega * c / dx};
     return march(scene, plan, watch, [&](const auto& s) {
-        const auto inside = [](const auto& x) { return x.squaredNorm() < static_cast<Real>(sph::sq(side / 4)); };
+        const auto inside = [](const auto& x) {
+            const bool near_plane = dim == 2 || std::abs(x[dim - 1]) < static_cast<Real>(side / 8);
+            return near_plane && x.template head<2>().squaredNorm() < static_cast<Real>(sph::sq(side / 4));
+        };
         return std::vector{voids ? 1 - least_concentration(s[water], inside) : 1 / closest_pair(s[water])};
     });
 }
 
-/// A drop falls into a pool and throws single particles up. Row 19.
-template <class F, class Real = double>
-Outcome splash(const Plan& plan) {
-    constexpr double wide = 24, deep = 8, height = 12 * dx;
-    const double v = 1, c = 10 * v, inner = (wide + 2 * F::gap) * dx, surface = (deep + F::gap) * dx;
-    auto scene = fluid_scene<F, Real>(g, c);
-    auto points = pool<F>(wide, deep);
-    for (auto x : sph::fill(sph::Box<2>{{0, 0}, {6 * dx, 6 * dx}}, dx)) {
-        x += sph::Point<2>(inner / 2 - 2.7 * dx, surface + height);
-        points.push_back(x);
-    }
+/// Small drops that fly freely, 2 to 5 particles each way, stirred by `value` sound speeds: what a splash leaves behind.
+/// Row 19.
+template <class F, class Real = double, int dim = 2>
+Outcome drops_in_flight(const Plan& plan) {
+    const double c = 30;
+    auto scene = fluid_scene<F, Real, dim>(0, c);
+    std::vector<sph::Point<dim>> points;
+    for (int across = 2; across <= 5; ++across)
+        for (auto x : sph::fill(box<dim>({0, 0}, {across * dx, across * dx}), dx)) {
+            x[0] += 20 * across * dx;
+            points.push_back(x);
+        }
     const auto water = add_water<F>(scene, points, c);
-    add_tank<F>(scene, sph::Box<2>{{0, 0}, {inner, 3 * inner}}, c);
+    shake(scene[water], plan.value * c);
+    Growth growth;
+    const Watch<dim> watch{.end = 2000 * dx / c,
+                           .guard = {.energy = std::numeric_limits<double>::infinity()},
+                           .signs = {{"kinetic energy over that at the start", 4}},
+                           .expected_steps = 2000};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[water])}; });
+}
+
+/// A drop falls into a pool and throws single particles up. Row 19.
+template <class F, class Real = double, int dim = 2>
+Outcome splash(const Plan& plan) {
+    constexpr double wide = dim == 2 ? 24 : 14, deep = dim == 2 ? 8 : 6, height = 12 * dx;
+    const double v = 1, c = 10 * v, inner = (wide + 2 * F::gap) * dx, surface = (deep + F::gap) * dx;
+    auto scene = fluid_scene<F, Real, dim>(g, c);
+    auto points = pool<F, dim>(wide, deep);
+    for (const auto& x : sph::fill(box<dim>({0, 0}, {6 * dx, 6 * dx}), dx))
+        points.push_back(x + at<dim>(inner / 2 - 2.7 * dx, surface + height));
+    const auto water = add_water<F>(scene, points, c);
+    add_tank<F>(scene, box<dim>({0, 0}, {inner, (dim == 2 ? 3 : 4.5) * inner}), c);
     auto view = scene[water];
     for (int i = 0; i < view.size(); ++i)
         if (view[sph::position](i, 1) > static_cast<Real>(surface + height / 2))
             view[sph::velocity](i, 1) = static_cast<Real>(-v);
-    const Watch<2> watch{.end = 6 * height / v,
+    const Watch<dim> watch{.end = 6 * height / v,
                          .guard = {.energy = 0.05},
                          .signs = {{"greatest speed over that of the fall", 3}, {"way into the wall, spacings", 1}},
                          .expected_steps = 6 * height / v * c / dx};

@@ -55,6 +55,7 @@ template <class View, class Counts>
 double least_concentration(const View& phase, const Counts& counts) {
     const auto x = phase[sph::position];
     const double spacing = phase.material().spacing, H = 3 * spacing;
+    constexpr int dim = decltype(x)::ColsAtCompileTime;
     double least = 1;
     for (int i = 0; i < phase.size(); ++i) {
         if (!counts(x.row(i)))
@@ -62,18 +63,19 @@ double least_concentration(const View& phase, const Counts& counts) {
         double sum = 0;
         for (int j = 0; j < phase.size(); ++j)
             if (const double r = static_cast<double>((x.row(i) - x.row(j)).norm()); r < H)
-                sum += sph::sq(spacing) * sph::kernel_value<sph::WendlandC2, 2>(r, H);
+                sum += sph::power<dim>(spacing) * sph::kernel_value<sph::WendlandC2, dim>(r, H);
         least = std::min(least, sum);
     }
     return least;
 }
 
-/// How far a particle is below the floor (y = 0) or beyond the side x = `right`, in spacings. At least 0.
+/// How far a particle is below the floor (y = 0) or beyond the side x = `right`, in space also z = `right`, in spacings.
+/// At least 0.
 template <class View>
 double way_into_wall(const View& phase, double right) {
     const auto x = phase[sph::position];
-    const double deepest =
-        std::max(-static_cast<double>(x.col(1).minCoeff()), static_cast<double>(x.col(0).maxCoeff()) - right);
+    const double deepest = std::max(-static_cast<double>(x.col(1).minCoeff()),
+                                    static_cast<double>(x(Eigen::all, Eigen::seq(0, Eigen::last, 2)).maxCoeff()) - right);
     return std::max(deepest, 0.0) / phase.material().spacing;
 }
 

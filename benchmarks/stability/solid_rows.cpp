@@ -24,24 +24,25 @@ void add(Table& table, const std::string& name) {
                                poisson});
     table.frontiers.push_back({name, "stretched bar", "stretch", 0.02, 0.6, stretched_bar<S, Real>});
 }
-template <class S>
-void add_column(Table& table) {
-    table.rows.push_back({"Solids", S::name, "3D column, nu 0.45", 0.45, twisted_column<S>});
-    table.rows.push_back({"Solids", S::name, "3D column, nu 0.499", 0.499, twisted_column<S>});
+template <class S, class Real = double>
+void add_column(Table& table, const std::string& name) {
+    table.rows.push_back({"Solids", name, "3D column, nu 0.45", 0.45, twisted_column<S, Real>});
+    table.rows.push_back({"Solids", name, "3D column, nu 0.499", 0.499, twisted_column<S, Real>});
 }
 
 } // namespace
 
 void add_solids(Table& table) {
     add<Hookean>(table, Hookean::name);
-    add_column<Hookean>(table);
+    add_column<Hookean>(table, Hookean::name);
     add<Hookean, float>(table, sph::text(Hookean::name, ", float"));
+    add_column<Hookean, float>(table, sph::text(Hookean::name, ", float"));
     add<Kirchhoff>(table, Kirchhoff::name);
-    add_column<Kirchhoff>(table);
+    add_column<Kirchhoff>(table, Kirchhoff::name);
     add<Averaged>(table, Averaged::name);
-    add_column<Averaged>(table);
+    add_column<Averaged>(table, Averaged::name);
     add<Hypoelastic>(table, Hypoelastic::name);
-    add_column<Hypoelastic>(table);
+    add_column<Hypoelastic>(table, Hypoelastic::name);
     table.rows.push_back({"Solids", Hypoelastic::name, "colliding rings", 0.059, colliding_rings<Hypoelastic>});
     table.frontiers.push_back(
         {Hypoelastic::name, "colliding rings", "speed / c", 0.01, 0.3, colliding_rings<Hypoelastic>});

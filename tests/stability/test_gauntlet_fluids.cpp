@@ -34,6 +34,12 @@ TEST_CASE("A drop splashes into a pool", "[stability]") { // row 19
     check_margin(stability::splash<DamBreak>);
 }
 
+TEST_CASE("Small drops that have come off fly on", "[stability]") { // row 19
+    check_preset(stability::drops_in_flight<WeaklyCompressible>, 0.2);
+    check_margin(stability::drops_in_flight<Riemann>, 0.2);
+    check_margin(stability::drops_in_flight<DamBreak>, 0.2);
+}
+
 TEST_CASE("Steps of 5 and 20 times the limit of a fluid are noticed", "[stability]") { // row 13
     check_noticed(stability::splash<WeaklyCompressible>);
     check_noticed(stability::splash<Riemann>);

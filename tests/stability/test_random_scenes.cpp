@@ -1,16 +1,16 @@
 // Random scenes with fixed seeds: each either runs 200 steps with all its indicators in bounds, or is refused at the
-// start with a reason.
+// start with a reason. In the plane and in space, in double and in float, of three compositions.
 #include <catch_shim.hpp>
 
 #include "stability/coupled.hpp"
 
 #include <limits>
+#include <optional>
 #include <random>
 
 namespace {
 
 using namespace stability;
-using Fluid = SoundCoupling::Fluid;
 
 /// Numbers that are the same everywhere.
 class Dice {
@@ -36,10 +36,13 @@ struct Tried {
     int ran = 0, refused = 0;
 };
 
-/// Draws a scene: water in a tank with a block of rubber that falls into it, or only one of them.
-void try_one(unsigned seed, Tried& tried) {
+/// Draws a scene of composition C: water in a tank with a block of rubber that falls into it, or only one of them.
+/// @param supports between which the support radius is drawn, in spacings
+template <class C, class Real, int dim>
+void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried) {
+    using Fluid = typename C::Fluid;
     Dice dice(seed);
-    const double spacing = dice.evenly_in_logarithm(1e-4, 10), support = dice.between(1.8, 3.5);
+    const double spacing = dice.evenly_in_logarithm(1e-4, 10), support = dice.between(supports[0], supports[1]);
     double water_density = dice.evenly_in_logarithm(1, 1e4),
            body_density = water_density * dice.evenly_in_logarithm(0.3, 10);
     const double gravity = dice.evenly_in_logarithm(0.1, 100), depth = 8 * spacing;
@@ -67,40 +70,47 @@ void try_one(unsigned seed, Tried& tried) {
     }
     CAPTURE(seed, spacing, support, water_density, body_density, gravity, c, poisson, E, viscosity, has_water, has_body,
             spoilt, overlapping);
-    using Scene = CoupledScene<SoundCoupling, double>;
+    using Scene = CoupledScene<C, Real, dim>;
     bool started = false;
     try {
-        Scene scene({.gravity = {0, -gravity}, .support_radius = given_support, .threads = 1});
+        Scene scene({.gravity = downwards<dim>(gravity), .support_radius = given_support, .threads = 1});
+        std::optional<sph::PhaseHandle<typename Fluid::Water>> pool;
+        const double off = C::gap * spacing, wide = (dim == 2 ? 10 : 8) * spacing, inner = wide + 4 * spacing + 2 * off;
         if (has_water) {
-            Fluid::Water water{{.density = water_density, .sound_speed = c, .viscosity = viscosity}};
+            typename Fluid::Water water{{.density = water_density, .sound_speed = c, .viscosity = viscosity}};
             Fluid::set(water);
-            SoundCoupling::set(scene.coupling<SoundCoupling::Contact>(), water);
-            Fluid::set(scene.coupling<Fluid::Sides>(), water);
-            auto points = sph::fill(sph::Box<2>{{0, 0}, {10 * spacing, depth}}, spacing);
+            C::set(scene.template coupling<typename C::Contact>(), water);
+            Fluid::set(scene.template coupling<typename Fluid::Sides>(), water);
+            auto points = sph::fill(box<dim>({off, off}, {off + wide, off + depth}), spacing);
             if (overlapping)
                 points.push_back(points.front());
-            scene.add(water, points, given_spacing);
-            Fluid::Tank tank{{.density = water_density}};
-            scene.add(tank,
-                      sph::tank(sph::Box<2>{{0, 0}, {14 * spacing, 20 * spacing}}, spacing, 4, sph::Sides::y_high),
-                      spacing);
+            pool = scene.add(water, points, given_spacing);
+            typename Fluid::Tank tank{{.density = water_density}};
+            tank.sound_speed = c;
+            const auto inside = box<dim>({0, 0}, {inner, 20 * spacing});
+            scene.add(tank, sph::tank(inside, spacing, 4, sph::Sides::y_high), spacing);
         }
         if (has_body) {
-            auto body = elastic<SoundCoupling::Body>(E, poisson, body_density);
-            auto points =
-                sph::fill(sph::Box<2>{{2 * spacing, depth + spacing}, {7 * spacing, depth + 5 * spacing}}, spacing);
+            auto body = elastic<typename C::Body>(E, poisson, body_density);
+            C::set(body);
+            const double foot = depth + spacing + 2 * off;
+            auto points = sph::fill(box<dim>({2 * spacing, foot}, {7 * spacing, foot + 4 * spacing}), spacing);
             if (overlapping)
                 points.push_back(points.front());
             const auto block = scene.add(body, points, given_spacing);
-            scene[block][sph::velocity].col(1).setConstant(-std::sqrt(gravity * depth));
+            scene[block][sph::velocity].col(1).setConstant(static_cast<Real>(-std::sqrt(gravity * depth)));
         }
         scene.prepare();
         started = true;
-        sph::Guard<2> guard({.interval = 1});
+        sph::Guard<dim> guard({.interval = 1});
         guard(scene);
         for (int k = 0; k < 200; ++k) {
             scene.step();
             guard(scene);
+        }
+        if (pool) {
+            CHECK(closest_pair(scene[*pool]) > 0.2);
+            CHECK(way_into_wall(scene[*pool], inner) < 0.5);
         }
         CHECK(!must_be_refused);
         ++tried.ran;
@@ -114,12 +124,23 @@ void try_one(unsigned seed, Tried& tried) {
     }
 }
 
+template <class C, class Real = double, int dim = 2>
+void try_all(unsigned last_seed, const std::array<double, 2>& supports) {
+    Tried tried;
+    for (unsigned seed = 1; seed <= last_seed; ++seed)
+        try_one<C, Real, dim>(seed, supports, tried);
+    CHECK(tried.ran >= static_cast<int>(last_seed / 2));
+    CHECK(tried.refused >= static_cast<int>(last_seed / 10));
+}
+
 } // namespace
 
 TEST_CASE("Random scenes run or are refused with a reason", "[stability]") {
-    Tried tried;
-    for (unsigned seed = 1; seed <= 60; ++seed)
-        try_one(seed, tried);
-    CHECK(tried.ran >= 30);
-    CHECK(tried.refused >= 6);
+    try_all<SoundCoupling>(60, {1.8, 3.5});
+    try_all<RiemannCoupling>(30, {2.6, 3.5});
+    try_all<PaperCoupling>(30, {1.25, 1.25});
+}
+
+TEST_CASE("Random scenes in space run or are refused with a reason", "[stability]") {
+    try_all<SoundCoupling, float, 3>(30, {2, 3});
 }

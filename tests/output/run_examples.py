@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Runs every small example once, coarse where it takes a resolution, and checks that it comes to its end, writes what it
+says it writes, and prints a result that is not far from what its first lines promise.
+
+    python3 tests/output/run_examples.py build
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+# (example, arguments, a file that it writes and the time it ends with, a number that it prints and between what it may be)
+EXAMPLES = [
+    ("dam_break", [], "out-dam-break/water.pvd", 1.0, None),
+    ("dam_break_2d", ["16"], "out-dam-break-2d/water.pvd", 0.7,
+     (r"3\.096\s+([\d.]+)", 3.4, 4.6)),  # front at T = 3.096, in L; 3.624 in the experiment
+    ("elastic_gate", [], "out-elastic-gate/gate.pvd", 0.4, None),
+    ("rubber_rings", [], "out-rubber-rings/rings.pvd", 0.03, (r"leaves with ([\d.]+) m/s", 2.0, 3.37)),
+    ("soft_plate", [], "out-soft-plate/plate.pvd", 0.1, (r"hangs down by ([\d.]+) mm", 1.9, 2.5)),
+    ("cylinders", ["0.2", "20"], "out-cylinders/glycerine.pvd", None, (r"F/\(mu U\) = ([\d.]+)", 46, 57)),
+    ("gyroid", [], "out-gyroid/sponge.pvd", 0.15, (r"(\d+) % of the water is through", 5, 100)),
+]
+
+
+def fail(*words):
+    sys.exit(" ".join(["run_examples: FAILED:", *(str(word) for word in words)]))
+
+
+def run(program, arguments, file, end, promise):
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run([program, *arguments], cwd=folder, text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT)
+        text = done.stdout.replace("\r", "\n")
+        if done.returncode != 0:
+            fail(program, *arguments, "ended with", done.returncode, "and said:\n" + text[-2000:])
+        path = os.path.join(folder, file)
+        if not os.path.exists(path):
+            fail(program, "has not written", file)
+        with open(path) as series:
+            times = [float(time) for time in re.findall(r'timestep="([^"]+)"', series.read())]
+        if len(times) < 5 or (end and abs(times[-1] - end) > 0.02 * end):
+            fail(program, "wrote", len(times), "moments, the last at", times[-1:], "s, not at", end)
+    said = ""
+    if promise:
+        pattern, low, high = promise
+        found = re.search(pattern, text)
+        if not found or not low <= float(found.group(1)) <= high:
+            fail(program, "printed", found.group(0) if found else "nothing like " + pattern, "instead of", low, "to", high,
+                 "\n" + text[-2000:])
+        said = ": " + found.group(0)
+    print(f"run_examples: {os.path.basename(program)}, {len(times)} moments{said}", flush=True)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    for example, *rest in EXAMPLES:
+        run(os.path.join(os.path.abspath(sys.argv[1]), example), *rest)
+
+
+if __name__ == "__main__":
+    main()

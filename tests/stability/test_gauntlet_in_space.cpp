@@ -1,0 +1,36 @@
+// The hard cases of fluids, and of water on a solid, in three dimensions and in single precision: what the sponge runs in.
+// The scenes are those of the plane with a third direction.
+#include "margins.hpp"
+#include "stability/coupled.hpp"
+
+using namespace gauntlet;
+using stability::DamBreak;
+using stability::PaperInSpace;
+using stability::SoundCoupling;
+using stability::WeaklyCompressible;
+
+TEST_CASE("In space water that is shaken comes to rest, and still water stays still", "[stability]") {
+    check_preset_in_space(stability::shaken_water<WeaklyCompressible, float, 3>);
+    check_preset_in_space(stability::still_water<WeaklyCompressible, float, 3>); // rows 5 and 20
+    check_margin(stability::still_water<DamBreak, float, 3>);
+}
+
+TEST_CASE("In space a block of water hits a floor, and a drop a pool", "[stability]") { // rows 7 and 19
+    check_preset_in_space(stability::impact<WeaklyCompressible, float, 3>, 0.3);
+    check_preset_in_space(stability::splash<WeaklyCompressible, float, 3>);
+    check_margin(stability::impact<DamBreak, float, 3>, 0.3);
+    check_margin(stability::splash<DamBreak, float, 3>);
+    check_preset_in_space(stability::drops_in_flight<WeaklyCompressible, float, 3>, 0.2);
+    check_margin(stability::drops_in_flight<DamBreak, float, 3>, 0.2);
+    check_margin(stability::impact<PaperInSpace, float, 3>, 0.05);
+}
+
+TEST_CASE("In space a spinning cube of water stays free of clumps and voids", "[stability]") { // rows 1 and 6
+    check_preset_in_space(stability::spinning_square<WeaklyCompressible, float, false, 3>);
+    check_preset_in_space(stability::spinning_square<WeaklyCompressible, float, true, 3>);
+}
+
+TEST_CASE("In space water falls on a plate, and a light block is let go on a pool", "[stability]") { // row 8
+    check_preset_in_space(stability::water_on_plate<SoundCoupling, float, 3>, 1);
+    check_preset_in_space(stability::light_block<SoundCoupling, float, 3>, 0.05);
+}
