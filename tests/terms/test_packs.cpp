@@ -1,5 +1,12 @@
-// Every pair part on packs of every width that a processor may ask for gives what it gives on single numbers.
+// Every pair part, and every particle function that says so, gives on packs of every width that a processor may ask for
+// what it gives on single numbers.
 #include "every_part.hpp"
+
+#include <imbibe/solid/cauchy_stress.hpp>
+#include <imbibe/solid/jaumann_stress.hpp>
+#include <imbibe/solid/neo_hookean.hpp>
+#include <imbibe/state/linear_state.hpp>
+#include <imbibe/state/tait.hpp>
 
 #include <algorithm>
 
@@ -101,9 +108,52 @@ void check_part() {
     seen.check(static_cast<double>(std::numeric_limits<Real>::epsilon()));
 }
 
+using InPacks =
+    TypeList<LinearState, Tait<7>, Volume, SymmetricPressure<Spiky>::Prepare, StressForce<Spiky>::Prepare, JaumannStress,
+             Displacement, DeformationGradient<>::Correct, StVenantKirchhoff, NeoHookean, CauchyStress,
+             TotalLagrangianForce<>::Prepare, Xsph<Poly6>::Smooth, XsphTransport>;
+
+/// Gives a particle some number for every field of Part's that it has none for.
+template <int dim, class P, class... F>
+void fill_in(Dice& dice, P& particle, TypeList<F...>) {
+    const auto one = [&]<class G>(std::type_identity<G>) {
+        if (particle.values_.contains(G::name))
+            return;
+        Value<G, dim, Number<double>> value{};
+        for (int k = 0; k < components(G::rank, dim); ++k)
+            component(value, k) = Number<double>(dice(0.5, 1.5));
+        particle.set(G{}, value);
+    };
+    (one(std::type_identity<F>{}), ...);
+}
+
+template <class Real, int width, int dim, class Part>
+void check_particle_function() {
+    static_assert(detail::is_in_packs<Part>);
+    using T = Pack<Real, width>;
+    Dice dice(500 + dim);
+    Comparison seen;
+    for (int k = 0; k < 20; ++k) {
+        std::vector<Particle<dim, Number<double>, Sponge>> particles;
+        for (int lane = 0; lane < width; ++lane) {
+            particles.push_back(ready_particle<Sponge>(dice, dice.vector<dim>(0.7 * H)));
+            fill_in<dim>(dice, particles.back(), typename Part::reads{});
+        }
+        const auto all = Part{}(lanes<T>(particles));
+        for (int lane = 0; lane < width; ++lane) {
+            const auto one = Part{}(as<Number<Real>>(particles[static_cast<std::size_t>(lane)]));
+            seen.compare(numbers(one), numbers(all, lane), 1);
+        }
+    }
+    seen.check(static_cast<double>(std::numeric_limits<Real>::epsilon()));
+}
+
 template <class Real, int width, int dim>
 void check_every_part() {
     INFO(width << " numbers of " << sizeof(Real) << " bytes in " << dim << "D");
+    [&]<class... Part>(TypeList<Part...>) {
+        (check_particle_function<Real, width, dim, Part>(), ...);
+    }(InPacks{});
     for_each_case(EveryPairPart<dim>{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
     for_each_case(OtherPairParts{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
 }
