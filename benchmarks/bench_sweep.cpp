@@ -1,7 +1,7 @@
 // Measures the loops of a step without the search and the motion, on one thread: for a fluid and for a hypoelastic
 // solid against the same loops written by hand (support/hand_fluid.hpp, hand_solid.hpp), in turns, so that other work on
-// the machine meets both; and for a total-Lagrangian solid. About 100,000 particles; the last number of a name is the support in tenths of the
-// spacing. Counters: `particle`, the time per particle; `hand`, that of the loop by hand; `ratio`, generic over hand,
+// the machine meets both; and for a total-Lagrangian solid. About 100,000 particles; the last number of a name is the
+// support in tenths of the spacing. Counters: `particle`, the time per particle; `hand`, that of the loop by hand; `ratio`, generic over hand,
 // both the least of all turns; `operations`, floating point operations a particle that the lanes of the loop by hand
 // do. Run it:
 //
@@ -88,14 +88,9 @@ void fluid(benchmark::State& state) {
         static_cast<double>(state.counters["runs"]) * Hand::width * Hand::operations_per_neighbour;
 }
 
-template <class Phase>
-Phase rubber() {
-    return Phase{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
-}
-
 template <class Real>
 void hypoelastic(benchmark::State& state) {
-    auto& engine = kept_block<Real>(state, rubber<Hypoelastic>());
+    auto& engine = kept_block<Real>(state, bench::rubber<Hypoelastic>());
     using Hand = bench::HandSolid<Real>;
     Hand hand(engine);
     in_turns<Real, Hypoelastic, Hand>(state, engine, hand, [](Hand& h) { h.two_sweeps(0); });
@@ -103,7 +98,7 @@ void hypoelastic(benchmark::State& state) {
 
 template <class Real>
 void total_lagrangian(benchmark::State& state) {
-    auto& engine = kept_block<Real>(state, rubber<TotalLagrangian>());
+    auto& engine = kept_block<Real>(state, bench::rubber<TotalLagrangian>());
     for (auto _ : state)
         bench::run_loops(engine);
     bench::per_item(state, "particle", engine.template state<TotalLagrangian>().size());

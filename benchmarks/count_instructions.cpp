@@ -32,11 +32,6 @@ struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKi
 constexpr int particles = 8000;
 constexpr double support = 2.6;
 
-template <class Phase>
-Phase rubber() {
-    return Phase{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
-}
-
 /// W and the factor of its gradient, of every kernel, in whole packs.
 template <class Real, class... Kernel>
 double kernels() {
@@ -100,7 +95,7 @@ double fluid_by_hand() {
 /// The same for the hypoelastic solid, written by hand.
 template <class Real>
 double solid_by_hand() {
-    auto engine = bench::block<Real>(rubber<bench::Hypoelastic>(), particles, support);
+    auto engine = bench::block<Real>(bench::rubber<bench::Hypoelastic>(), particles, support);
     bench::HandSolid<Real> hand(engine);
     count([&] { hand.two_sweeps(0); });
     return engine.template state<bench::Hypoelastic>().size();
@@ -123,10 +118,10 @@ void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
     cases["fluid_loops_" + real] = [] { return loops<Real>(bench::water<Water>()); };
     cases["fluid_loops_in_one_sweep_" + real] = [] { return loops<Real>(bench::water<bench::WaterInOneSweep>()); };
     cases["fluid_loops_in_one_sweep_by_hand_" + real] = fluid_by_hand<Real>;
-    cases["hypoelastic_loops_" + real] = [] { return loops<Real>(rubber<bench::Hypoelastic>()); };
+    cases["hypoelastic_loops_" + real] = [] { return loops<Real>(bench::rubber<bench::Hypoelastic>()); };
     cases["hypoelastic_loops_by_hand_" + real] = solid_by_hand<Real>;
     cases["fluid_step_" + real] = [] { return step<Real>(bench::water<Water>()); };
-    cases["solid_step_" + real] = [] { return step<Real>(rubber<Rubber>()); };
+    cases["solid_step_" + real] = [] { return step<Real>(bench::rubber<Rubber>()); };
 }
 
 } // namespace

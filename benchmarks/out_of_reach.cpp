@@ -1,7 +1,8 @@
 // What a coupling costs while its phases are out of each other's reach: a strip of the sponge under 5 mm of water, a
 // whole step with its search, float, one thread. The sponge alone, water and vessel alone, the same with the vessel's
 // walls once more where no water is, all of them with the water still above the sponge's reach, and with the water on
-// the sponge; the last also with a guard, which looks at all particles in one of ten steps. For callgrind, as count_instructions.cpp:
+// the sponge; the last also with a guard, which looks at all particles in one of ten steps. For callgrind, as
+// count_instructions.cpp:
 //
 //   python3 tools/count_instructions.py build-benchmark/benchmarks/out_of_reach -o out_of_reach.json
 //   build-benchmark/benchmarks/out_of_reach             the cases
@@ -31,9 +32,9 @@ auto together(double gap) {
     return Preset::make<float>(strip(gap));
 }
 /// What `together` has of the phases listed, without the others.
-/// @param vessels how many times it has the vessel, one 10 cm above the other
+/// @param twice does it have the vessel a second time, 10 cm above the first?
 template <class... Items>
-auto alone(double gap, int vessels = 1) {
+auto alone(double gap, bool twice = false) {
     const auto c = strip(gap);
     auto whole = together(gap);
     Solver<3, float, SymplecticEuler, Items...> scene(whole.settings());
@@ -48,9 +49,8 @@ auto alone(double gap, int vessels = 1) {
     copy(std::type_identity<Water>{}, c.water());
     copy(std::type_identity<Sponge>{}, c.sponge());
     auto walls = c.vessel(whole.settings().support_radius);
-    for (auto n = walls.size(); vessels > 1; --vessels)
-        for (std::size_t k = 0; k < n; ++k)
-            walls.push_back(walls[k] + Point<3>(0, 0, 0.1 * (vessels - 1)));
+    for (std::size_t k = 0, n = walls.size(); twice && k < n; ++k)
+        walls.push_back(walls[k] + Point<3>(0, 0, 0.1));
     copy(std::type_identity<Vessel>{}, walls);
     if constexpr ((std::is_same_v<Walls, Items> || ...))
         scene.template coupling<Walls>() = whole.template coupling<Walls>();
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     const std::map<std::string, Case> cases{
         {"sponge_alone", of([] { return alone<Sponge>(dry); })},
         {"water_alone", of([] { return alone<Water, Vessel, Walls>(dry); })},
-        {"walls_twice", of([] { return alone<Water, Vessel, Walls>(dry, 2); })},
+        {"walls_twice", of([] { return alone<Water, Vessel, Walls>(dry, true); })},
         {"out_of_reach", of([] { return together(dry); })},
         {"within_reach", of([] { return together(wet); })},
         {"guarded", of<true>([] { return together(wet); })},

@@ -21,6 +21,12 @@ namespace imbibe::bench {
 struct Hypoelastic : Solid<LinearState, Continuity<WendlandC2>, VelocityGradient<WendlandC2>, JaumannStress,
                            StressForce<WendlandC2>, MonaghanViscosity<WendlandC2>> {};
 
+/// The numbers of a solid that is measured.
+template <class Phase>
+Phase rubber() {
+    return Phase{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
+}
+
 /// Its loops by hand: a sweep for the velocity gradient and the rate of density, the particles one by one, and a sweep
 /// for the forces.
 template <class Real>

@@ -1,5 +1,5 @@
-// The hard cases of fluids, and of water on a solid, in three dimensions and in single precision: what the sponge runs in.
-// The scenes are those of the plane with a third direction.
+// The hard cases of fluids, and of water on a solid, in three dimensions and in single precision: what the sponge runs
+// in. The scenes are those of the plane with a third direction.
 #include "margins.hpp"
 #include "stability/coupled.hpp"
 
