@@ -9,6 +9,7 @@
 #include "support/steps.hpp"
 
 #include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/density_floor.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/tank.hpp>
 #include <imbibe/solid/clamped.hpp>
