@@ -7,6 +7,7 @@
 #include "validation/cavity.hpp"
 #include "validation/cylinders.hpp"
 #include "validation/elastic_baffle.hpp"
+#include "validation/elastic_gate.hpp"
 #include "validation/elliptic_drop.hpp"
 #include "validation/one_pore.hpp"
 #include "validation/oscillating_plate.hpp"
@@ -34,15 +35,16 @@ int main(int argc, char** argv) {
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
         {"pipe", "particles across the pipe", {12, 24, 48}, pipe::measure},
-        {"one-pore", "particles over the radius", {3, 4, 6}, one_pore::measure},
+        {"one-pore", "particles over the radius", {3, 4, 6, 8}, one_pore::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"standing-wave", "particles over the depth", {25, 50}, standing_wave::measure},
         {"square-patch", "particles along a side", {25, 50}, square_patch::measure},
         {"elliptic-drop", "particles over the radius", {12, 25, 50}, elliptic_drop::measure},
         {"spinning-plate", "particles along a side", {10, 20}, spinning_plate::measure},
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
-        {"turek-hron", "particles over the thickness", {4, 6}, turek_hron::measure},
-        {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure}};
+        {"turek-hron", "particles over the thickness", {4, 6, 10, 20}, turek_hron::measure},
+        {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure},
+        {"elastic-gate", "particles over the gate's thickness", {5, 10}, elastic_gate::measure}};
 
     std::vector<std::string> names{"all"}, chosen;
     for (const Case& c : cases)

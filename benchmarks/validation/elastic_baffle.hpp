@@ -4,31 +4,16 @@
 // it since: the upper end is 0.045 to 0.05 m aside at 0.24 to 0.26 s.
 // Geometry: water 0.146 x 0.292 m in a tank 0.584 m long; baffle 12 x 80 mm, 0.292 m from the wall; 2500 kg/m^3,
 // 1e6 Pa, nu = 0; water and baffle have one spacing.
-// Scheme: as examples/elastic_gate.cpp, in double: Wendland C2 of 2.6 spacings, density diffusion and floor,
-// MonaghanViscosity with alpha = 0.02, walls that do not pull, the baffle sub-cycled. Its own support is 1.5 spacings,
-// its modulus that of bending_modulus.
+// Scheme: water_on_rubber.hpp.
 // Measure: the mean of the two uppermost corners' way aside; its first peak.
 #pragma once
 
 #include "case.hpp"
-#include "free_surface.hpp"
-#include "solid.hpp"
-
-#include <imbibe/fluid/density_floor.hpp>
-#include <imbibe/time/subcycled.hpp>
+#include "water_on_rubber.hpp"
 
 namespace validation::elastic_baffle {
 
-using K = sph::WendlandC2;
-struct Column : Water<K, sph::DensityFloor, sph::MonaghanViscosity<K>> {};
-struct Baffle
-    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                 sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped, sph::TimeAveragedMotion> {};
-struct Tank : sph::Wall<> {};
-template <class Solid>
-struct Push : sph::Coupling<Column, Solid, sph::Into<Solid, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Column, sph::VolumeContinuity<K>>> {};
-using Scene = sph::Solver<2, double, sph::Subcycled<Baffle>, Column, Baffle, Tank, Push<Baffle>, Push<Tank>>;
+using namespace water_on_rubber;
 
 struct Peak {
     double aside, time; ///< m, s
@@ -36,24 +21,18 @@ struct Peak {
 
 /// @param across particles over the thickness of the baffle
 inline Peak strike(int across) {
-    const double thickness = 0.012, height = 0.08, depth = 0.292, g = 9.81, spacing = thickness / across;
-    Scene scene({.gravity = {0, -g}, .support_radius = 2.6 * spacing, .search_interval = 4, .threads = 1});
-    Column column{{.density = 1000, .sound_speed = 10 * std::sqrt(2 * g * depth)}};
-    column.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
-    scene.add(column, sph::fill(sph::Box<2>{{0, 0}, {0.146, depth}}, spacing), spacing);
-    Baffle rubber = elastic<Baffle>(sph::bending_modulus(1e6, across), 0, 2500);
-    rubber.support_radius = 1.5 * spacing;
+    const double thickness = 0.012, height = 0.08, depth = 0.292, spacing = thickness / across;
+    Scene scene = scene_of(spacing);
+    scene.add(column(depth), sph::fill(sph::Box<2>{{0, 0}, {0.146, depth}}, spacing), spacing);
     const auto baffle =
-        scene.add(rubber, sph::fill(sph::Box<2>{{0.292, -3 * spacing}, {0.292 + thickness, height}}, spacing), spacing);
+        scene.add(rubber(1e6, 0, 2500, across, spacing),
+                  sph::fill(sph::Box<2>{{0.292, -3 * spacing}, {0.292 + thickness, height}}, spacing), spacing);
     scene.hold(baffle, [](const auto& x) { return x[1] < 0; });
     auto walls = sph::tank(sph::Box<2>{{0, 0}, {0.584, 1.5 * depth}}, spacing, 3, sph::Sides::y_high);
     std::erase_if(walls, [&](const auto& x) { // there the root of the baffle is
         return x[1] < 0 && x[0] > 0.292 - 0.6 * spacing && x[0] < 0.292 + thickness + 0.6 * spacing;
     });
     scene.add(Tank{{.density = 1000}}, walls, spacing);
-    const sph::PressureExtrapolationParameters no_suction{.suction = false};
-    scene.coupling<Push<Baffle>>().set(no_suction);
-    scene.coupling<Push<Tank>>().set(no_suction);
 
     Peak peak{0, 0};
     scene.run_until(0.35, [&](const Scene& s) {
