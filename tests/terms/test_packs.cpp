@@ -3,6 +3,7 @@
 #include "every_part.hpp"
 
 #include <imbibe/solid/cauchy_stress.hpp>
+#include <imbibe/solid/hughes_winget.hpp>
 #include <imbibe/solid/jaumann_stress.hpp>
 #include <imbibe/solid/neo_hookean.hpp>
 #include <imbibe/state/linear_state.hpp>
@@ -110,6 +111,7 @@ void check_part() {
 
 using InPacks =
     TypeList<LinearState, Tait<7>, Volume, SymmetricPressure<Spiky>::Prepare, StressForce<Spiky>::Prepare, JaumannStress,
+             HughesWingetStress<>, ParticleShifting<>::Detect, ParticleShifting<>::Shift, AntuonoDiffusion<>::Correct,
              Displacement, DeformationGradient<>::Correct, StVenantKirchhoff, NeoHookean, CauchyStress,
              TotalLagrangianForce<>::Prepare, Xsph<Poly6>::Smooth, XsphTransport>;
 

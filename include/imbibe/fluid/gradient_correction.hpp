@@ -110,6 +110,7 @@ struct AntuonoDiffusion {
     struct Correct {
         using reads = Fields<raw_density_gradient, gradient_correction>;
         using sets = Fields<density_gradient>;
+        static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             return a[gradient_correction] * a[raw_density_gradient];

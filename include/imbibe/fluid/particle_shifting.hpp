@@ -104,6 +104,7 @@ struct ParticleShifting {
     struct Detect {
         using reads = Fields<position_divergence>;
         using sets = Fields<surface_indicator>;
+        static constexpr bool in_packs = true;
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
@@ -123,6 +124,7 @@ struct ParticleShifting {
     struct Shift {
         using reads = Fields<velocity, concentration_gradient, surface_nearness>;
         using sets = Fields<transport_correction>;
+        static constexpr bool in_packs = true;
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {

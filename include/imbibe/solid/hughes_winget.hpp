@@ -38,6 +38,7 @@ struct HughesWingetStress {
     static constexpr bool of_solids = true;
     using reads = Fields<velocity_gradient, deviatoric_stress>;
     using adds = Fields<deviatoric_stress_rate>;
+    static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
         using A = std::remove_cvref_t<decltype(a)>;
