@@ -1,6 +1,5 @@
 // Measures whole steps (Solver::step): a cube of water in free fall, a dam break in a tank, an elastic column that
-// sways. Names: scene/real/particles of the moving phase/threads. For the counters see support/steps.hpp; times are
-// per particle of the scene, walls included. Run it:
+// sways. Names: scene/real/particles of the moving phase/threads. For the counters see support/steps.hpp. Run it:
 //
 //   build-benchmark/benchmarks/bench_steps
 //   build-benchmark/benchmarks/bench_steps --benchmark_filter='dam_break/float/100000'
@@ -23,12 +22,16 @@ namespace {
 using namespace imbibe;
 using K = WendlandC2;
 
-/// The fluid that other codes are compared with, and nothing else.
-template <class Real>
+/// The fluid that other codes are compared with, and nothing else. Its neighbours are found in every step, or in one of
+/// `search_interval`.
+template <class Real, int search_interval = 1>
 struct Cube {
     using Scene = Solver<3, Real, SymplecticEuler, bench::Water>;
     static Scene make(int particles, int threads) {
-        Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * bench::spacing, .threads = threads});
+        Scene scene({.gravity = {0, 0, -9.81},
+                     .support_radius = 2.6 * bench::spacing,
+                     .search_interval = search_interval,
+                     .threads = threads});
         scene.add(bench::water<bench::Water>(), bench::cube(particles), bench::spacing);
         return scene;
     }
@@ -80,6 +83,7 @@ void add_all() {
         bench::add_steps<typename Case::Scene>(name + ("/" + std::string(bench::real_name<Real>)), Case::make, sizes);
     };
     add("cube", Cube<Real>{});
+    add("cube_searched_in_1_of_4", Cube<Real, 4>{});
     if (std::is_same_v<Real, float>) // 2.6 GB
         bench::add_steps<typename Cube<Real>::Scene>("cube/float", Cube<Real>::make, {10'000'000});
     add("dam_break", DamBreak<Real>{});

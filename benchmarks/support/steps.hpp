@@ -5,15 +5,32 @@
 
 #include <imbibe/core/fields.hpp>
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace imbibe::bench {
 
+/// How many particles of a phase a step has work for: all that move, and of a wall those that have others within reach.
+template <class Phase, class Engine>
+double working(const Engine& engine, int particles) {
+    if constexpr (Phase::moves)
+        return particles;
+    std::vector<char> works(static_cast<std::size_t>(particles));
+    engine.for_each_link([&]<class Link>(const Link& link) {
+        if constexpr (std::is_same_v<typename Link::A, Phase>)
+            for (int i = 0; i < particles; ++i)
+                if (const auto runs = link.runs[i]; runs.begin() != runs.end())
+                    works[static_cast<std::size_t>(i)] = 1;
+    });
+    return static_cast<double>(std::count(works.begin(), works.end(), 1));
+}
+
 /// Takes steps of the scene that `make(size, threads)` returns, both from the benchmark's arguments.
-/// Counters: `particle`, the time per particle and step, and `moving`, per particle that is not a wall's; `bytes`, what
-/// a particle stores, and `list_bytes`, its runs; `neighbours`, those of the first phase among its own.
+/// Counters: `particle`, the time per step and particle that the step has work for, and `moving`, per particle that is
+/// not a wall's; `bytes`, what a particle stores, and `list_bytes`, its runs; `neighbours`, those of the first phase
+/// among its own.
 template <class Scene, class Make>
 void steps(benchmark::State& state, Make make) {
     const auto size = state.range(0), threads = state.range(1);
@@ -26,17 +43,19 @@ void steps(benchmark::State& state, Make make) {
     for (auto _ : state)
         scene.step();
     const auto n = static_cast<double>(scene.particles());
-    double moving = 0;
+    double moving = 0, at_work = 0;
     scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& phase) {
+        at_work += working<P>(scene.engine(), phase.size());
         if constexpr (P::moves) {
             moving += phase.size();
             if (!(static_cast<double>(phase.view(velocity).cwiseAbs().maxCoeff()) < phase.material.sound_speed))
                 state.SkipWithError("the scene has blown up: its time is not that of a run");
         }
     });
-    per_item(state, "particle", n);
+    per_item(state, "particle", at_work);
     per_item(state, "moving", moving);
     state.counters["particles"] = n;
+    state.counters["working"] = at_work;
     state.counters["threads"] = static_cast<double>(threads);
     state.counters["bytes"] = static_cast<double>(scene.engine().particle_bytes()) / n;
     state.counters["list_bytes"] = static_cast<double>(scene.engine().list_bytes()) / n;
