@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
         // Resolution
         const double dx = 1e-3 * (argc > 1 ? std::atof(argv[1]) : 1.0), H = 2.6 * dx, end = 0.4;
         const double width = 0.1, depth = 0.14, thickness = 5e-3, height = 79e-3, length = 0.4;
+        const double root = dx / 2 + height + 3 * dx; // held, above what is free to move
 
         // Water, gate, tank
         Scene scene({.gravity = {0, -9.81}, .support_radius = H, .search_interval = 4});
@@ -50,10 +51,10 @@ int main(int argc, char** argv) {
             scene.add(Gate{{.density = 1100,
                             .sound_speed = sph::sound_speed_of(E, nu, 1100),
                             .shear_modulus = sph::shear_modulus_of(E, nu)}},
-                      sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, dx / 2 + height}}, dx), dx);
-        scene.hold(gate, [&](const auto& x) { return x[1] > height - 3 * dx; });
+                      sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, root}}, dx), dx);
+        scene.hold(gate, [&](const auto& x) { return x[1] > dx / 2 + height; });
         auto walls = sph::tank(sph::Box<2>{{0, 0}, {length, 0.2}}, dx, 3, sph::Sides::y_high);
-        for (const auto& x : sph::fill(sph::Box<2>{{width, dx / 2 + height}, {width + thickness, 0.2}}, dx))
+        for (const auto& x : sph::fill(sph::Box<2>{{width, root}, {width + thickness, 0.2}}, dx))
             walls.push_back(x);
         scene.add(Tank{{.density = 1000}}, walls, dx);
         const sph::PressureExtrapolationParameters no_suction{.suction = false};

@@ -12,6 +12,7 @@ constexpr Load load{1000 * gravity * depth, 0.5};
 template <class Kit>
 Outcome run_with(const Numerics& numerics) {
     const double dx = numerics.spacing, support = numerics.ratio * dx;
+    const double root = dx / 2 + height + 3 * dx; // held, above what is free to move
     const Layers layers{support, dx, dx, 2};
     Scene<2, float, Kit> scene(
         {.gravity = {0, -gravity}, .support_radius = support, .search_interval = 4, .threads = 1});
@@ -22,10 +23,10 @@ Outcome run_with(const Numerics& numerics) {
     // Its support is never wider than the water's: that between the two is the wider one, and what is varied.
     const double young = sph::bending_modulus(1.2e7, static_cast<int>(std::lround(thickness / dx)));
     const auto gate = scene.add(elastic<Kit>(young, 0.4, 1100, 2 * dx),
-                                sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, dx / 2 + height}}, dx), dx);
-    scene.hold(gate, [&](const auto& x) { return x[1] > height - 3 * dx; });
+                                sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, root}}, dx), dx);
+    scene.hold(gate, [&](const auto& x) { return x[1] > dx / 2 + height; });
     auto walls = sph::tank(sph::Box<2>{{0, 0}, {4 * width, 0.2}}, dx, 3, sph::Sides::y_high);
-    for (const auto& x : sph::fill(sph::Box<2>{{width, dx / 2 + height}, {width + thickness, 0.2}}, dx))
+    for (const auto& x : sph::fill(sph::Box<2>{{width, root}, {width + thickness, 0.2}}, dx))
         walls.push_back(x);
     scene.add(Walls{{.density = 1000}}, walls, dx);
     couple<Kit>(scene, load, layers);

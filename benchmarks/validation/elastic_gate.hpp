@@ -2,7 +2,7 @@
 //
 // Reference: the experiment of Antoci, Gallati and Sibilla (2007), read off their curves to about 2 mm: the lower end
 // is 45 mm aside and 18 to 20 mm up at 0.13 to 0.16 s, about 30 and 10 mm at 0.4 s.
-// Geometry: water 0.1 m wide and 0.14 m high; gate 79 mm high and 5 mm thick, held at its top, 1100 kg/m^3; water and
+// Geometry: water 0.1 m wide and 0.14 m high; gate 79 mm high and 5 mm thick, held above that, 1100 kg/m^3; water and
 // gate have one spacing.
 // Rubber: 1.2e7 Pa and nu = 0.4 as they give it, and 7.8e6 Pa and 0.47 as later papers do for the same gate.
 // Scheme: water_on_rubber.hpp.
@@ -26,14 +26,15 @@ struct Way {
 /// @param across particles over the thickness of the gate
 inline Way open(int across, double young, double poisson) {
     const double width = 0.1, depth = 0.14, thickness = 5e-3, height = 79e-3, length = 0.4, dx = thickness / across;
+    const double root = dx / 2 + height + 3 * dx; // held, above what is free to move
     Scene scene = scene_of(dx);
     const auto pool = scene.add(column(depth), sph::fill(sph::Box<2>{{0, 0}, {width, depth}}, dx), dx);
     const auto gate =
         scene.add(rubber(young, poisson, 1100, across, dx),
-                  sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, dx / 2 + height}}, dx), dx);
-    scene.hold(gate, [&](const auto& x) { return x[1] > height - 3 * dx; });
+                  sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, root}}, dx), dx);
+    scene.hold(gate, [&](const auto& x) { return x[1] > dx / 2 + height; });
     auto walls = sph::tank(sph::Box<2>{{0, 0}, {length, 0.2}}, dx, 3, sph::Sides::y_high);
-    for (const auto& x : sph::fill(sph::Box<2>{{width, dx / 2 + height}, {width + thickness, 0.2}}, dx))
+    for (const auto& x : sph::fill(sph::Box<2>{{width, root}, {width + thickness, 0.2}}, dx))
         walls.push_back(x);
     scene.add(Tank{{.density = 1000}}, walls, dx);
 
