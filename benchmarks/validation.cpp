@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
         {"pipe", "particles across the pipe", {12, 24, 48}, pipe::measure},
-        {"one-pore", "particles over the radius", {3, 4, 6, 8}, one_pore::measure},
+        {"one-pore", "particles over the radius", {3, 4, 6}, one_pore::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"standing-wave", "particles over the depth", {25, 50}, standing_wave::measure},
         {"square-patch", "particles along a side", {25, 50}, square_patch::measure},
