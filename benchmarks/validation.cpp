@@ -18,6 +18,7 @@
 #include "validation/spinning_plate.hpp"
 #include "validation/square_patch.hpp"
 #include "validation/standing_wave.hpp"
+#include "validation/still_water.hpp"
 #include "validation/turek_hron.hpp"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,7 @@ using namespace validation;
 
 int main(int argc, char** argv) {
     const std::vector<Case> cases{
+        {"still-water", "particles along a side", {20, 40}, still_water::measure},
         {"poiseuille", "particles across the gap", {12, 25, 50}, plates::measure_poiseuille},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
