@@ -89,10 +89,10 @@ const Methods<> methods("method", {{"delta-SPH, shifted", vortices<Shifted<C2>>}
                                     [](const accuracy::Choices& choose) {
                                         return vortices_from<Shifted<C2>>({.jitter = 0}, choose);
                                     }},
-                                   {"from a lattice, all shifted with U",
+                                   {"from a lattice, all shifted, twice as strongly",
                                     [](const accuracy::Choices& choose) {
                                         Shifted<C2> liquid;
-                                        liquid.set(sph::ParticleShiftingParameters{.least_speed = 1});
+                                        liquid.set(sph::ParticleShiftingParameters{.strength = 4, .least_speed = 1});
                                         return vortices_from({.jitter = 0}, choose, liquid);
                                     }},
                                    {"float", vortices<Shifted<C2>, float>},

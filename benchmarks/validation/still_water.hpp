@@ -24,7 +24,7 @@ struct StillInTank : sph::Coupling<Still, Tank, sph::Into<Tank, sph::PressureExt
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Still, Tank, StillInTank>;
 
 constexpr double g = 9.81, rho = 1000, side = 1;
-constexpr double weight = rho * g * side;   // Pa: 9810
+constexpr double weight = rho * g * side; // Pa: 9810
 constexpr double sound2 = 200 * g * side; // of the speed of sound, m^2/s^2
 
 /// Deviation of the pressure from the reference, in rho g H.
@@ -39,7 +39,8 @@ public:
     /// @param across particles along a side
     /// @param hydrostatic does it start with the pressure of its weight?
     Column(int across, bool hydrostatic)
-        : spacing(side / across), surface(hydrostatic ? side : sound2 / g * std::log1p(g * side / sound2)), scene({.gravity = {0, -g}, .support_radius = 3 * spacing, .threads = 1}) {
+        : spacing(side / across), surface(hydrostatic ? side : sound2 / g * std::log1p(g * side / sound2)),
+          scene({.gravity = {0, -g}, .support_radius = 3 * spacing, .threads = 1}) {
         Still still{{.density = rho, .sound_speed = std::sqrt(sound2)}};
         still.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
         water = scene.add(still, sph::fill(sph::Box<2>{{0, 0}, {side, side}}, spacing), spacing);
