@@ -5,6 +5,8 @@
 //   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
 //   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
 //
+// tools/accuracy_instructions.py adds the number of instructions of each run to such a table.
+//
 // The other cases: dam-break, cylinders, plate, soft-plate, sponge; one file each in accuracy/, whose first lines say
 // what it is.
 #include "accuracy/cases.hpp"
@@ -13,6 +15,7 @@
 
 #include <cstdio>
 #include <map>
+#include <optional>
 
 int main(int argc, char** argv) {
     using cost::Rows;
@@ -23,6 +26,7 @@ int main(int argc, char** argv) {
         {"sponge", cost::sponge}};
     std::string name, output = "accuracy.csv";
     bool quick = false;
+    std::optional<std::size_t> row_alone;
     CLI::App app{"What accuracy costs in time: a scene with a reference over spacings, schemes, supports and steps."};
     std::vector<std::string> names;
     for (const auto& [known, run] : cases)
@@ -30,9 +34,12 @@ int main(int argc, char** argv) {
     app.add_option("case", name, "which scene")->required()->check(CLI::IsMember(names));
     app.add_option("-o,--output", output, "the table to write")->capture_default_str();
     app.add_flag("--quick", quick, "the coarsest spacings only");
+    app.add_option("--row", row_alone, "this row of the table alone, counted from 0, without repetitions");
     CLI11_PARSE(app, argc, argv);
 
     cost::accuracy::Study study;
+    if (row_alone)
+        study.only(*row_alone);
     study.progress([](const cost::accuracy::Choices& choices, std::size_t done, std::size_t of) {
         std::printf("%3zu of %zu:", done + 1, of);
         for (const auto& [axis, value] : choices.all())

@@ -3,9 +3,11 @@
 
     python3 tools/plot_accuracy.py study.csv -o study.png
     python3 tools/plot_accuracy.py study.csv --join spacing --time "pair evaluations" -o study.png
+    python3 tools/plot_accuracy.py study.csv --time instructions -o study.png
 
 The file is one that `imbibe::accuracy::write` wrote. Runs that differ on the axis `--join` alone are joined by a line;
-a ring marks what is on the front: nothing else was both faster and more accurate. Bars span the repetitions.
+a ring marks what is on the front: nothing else was both faster and more accurate. Bars span the repetitions. What
+stands for time may be pair evaluations, or instructions where tools/accuracy_instructions.py has added them.
 """
 
 import argparse
@@ -14,6 +16,7 @@ import sys
 
 from picture_style import CURVES, GREY, np, plt, save
 
+COUNTED = "instructions"  # a column that not every table has
 MEASURED = ["error", "least error", "greatest error", "seconds [s]", "pair evaluations", "front", "failure"]
 
 
@@ -27,9 +30,15 @@ def read_rows(path):
     if not table or any(name not in table[0] for name in MEASURED):
         sys.exit(f"plot_accuracy.py: {path} is not the table of an accuracy study")
     for row in table:
-        for name in MEASURED[:-1]:
+        for name in MEASURED[:-1] + [COUNTED] * (COUNTED in row):
             row[name] = float(row[name])
-    return [name for name in table[0] if name not in MEASURED], table
+    return [name for name in table[0] if name not in (*MEASURED, COUNTED)], table
+
+
+def is_beaten(row, rows, time):
+    """Is another row at least as fast and as accurate, and better in one of the two?"""
+    return any(other[time] <= row[time] and other["error"] <= row["error"] and
+               (other[time] < row[time] or other["error"] < row["error"]) for other in rows)
 
 
 def is_number(word):
@@ -45,7 +54,7 @@ def main():
     parser.add_argument("file", help="CSV file of a study")
     parser.add_argument("-o", "--output", default="accuracy.png", help="the picture to write (default: accuracy.png)")
     parser.add_argument("--join", help="join runs that differ on this axis alone (default: the first axis)")
-    parser.add_argument("--time", default="seconds [s]", choices=["seconds [s]", "pair evaluations"],
+    parser.add_argument("--time", default="seconds [s]", choices=["seconds [s]", "pair evaluations", COUNTED],
                         help="what is meant by time (default: seconds)")
     parser.add_argument("--title", help="a line above the picture")
     parser.add_argument("--dpi", type=int, default=150)
@@ -55,6 +64,8 @@ def main():
     join = arguments.join or axes[0]
     if join not in axes:
         parser.error(f"there is no axis '{join}'; the axes are: {', '.join(axes)}")
+    if arguments.time not in rows[0]:
+        sys.exit(f"plot_accuracy.py: {arguments.file} has no instructions; tools/accuracy_instructions.py counts them")
     drawn = [row for row in rows if np.isfinite(row["error"]) and row["error"] > 0 and row[arguments.time] > 0]
     if not drawn:
         sys.exit(f"plot_accuracy.py: no run in {arguments.file} came to an end")
@@ -81,7 +92,7 @@ def main():
         for row in group:
             panel.annotate(row[join], (row[arguments.time], row["error"]), textcoords="offset points", xytext=(4, 4),
                            fontsize=6.5, color=GREY)
-    front = sorted((row for row in drawn if row["front"] == 1), key=lambda row: row["seconds [s]"])
+    front = [row for row in drawn if not is_beaten(row, drawn, arguments.time)]
     panel.plot([row[arguments.time] for row in front], [row["error"] for row in front], "o", markersize=11,
                markerfacecolor="none", markeredgecolor=GREY, markeredgewidth=1.1, label="on the front", zorder=0)
     panel.set(xscale="log", yscale="log", ylabel="error",

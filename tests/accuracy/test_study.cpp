@@ -91,6 +91,22 @@ TEST_CASE("A study measures error bars and time, keeps failures, and finds the f
     std::filesystem::remove(path);
 }
 
+TEST_CASE("A study runs one of its rows alone, and that once", "[accuracy]") {
+    accuracy::Study study;
+    study.axis("n", {"1", "2"}).axis("kernel", {"a", "b"}).repeat(3).only(2);
+    std::vector<std::string> seen;
+    const auto rows = study.run([&](const accuracy::Choices& choices) -> accuracy::Outcome {
+        seen.push_back(words(choices));
+        return {choices.number("n")};
+    });
+    CHECK(seen == std::vector<std::string>{"2 a "});
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].error == 2);
+    study.only(4);
+    REQUIRE_THROWS_WITH(study.run([](const accuracy::Choices&) -> accuracy::Outcome { return {0}; }),
+                        contains("row 4 alone was asked for; the study has 4"));
+}
+
 TEST_CASE("A study says what is wrong with it", "[accuracy]") {
     accuracy::Study study;
     study.axis("n", {"1", "two"});

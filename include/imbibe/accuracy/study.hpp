@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,6 +127,12 @@ public:
         repetitions_ = times;
         return *this;
     }
+    /// Runs nothing but the row of this number, counted from 0, and that once: for what measures single runs from outside
+    /// (tools/accuracy_instructions.py). A run throws Error if the study has no such row.
+    Study& only(std::size_t row) {
+        only_ = row;
+        return *this;
+    }
     /// Called before every set of choices is run, with how many have been and how many there are.
     Study& progress(std::function<void(const Choices&, std::size_t, std::size_t)> tell) {
         tell_ = std::move(tell);
@@ -164,6 +171,7 @@ public:
 private:
     std::vector<std::pair<std::string, std::vector<std::string>>> axes_;
     int repetitions_ = 1;
+    std::optional<std::size_t> only_;
     std::function<void(const Choices&, std::size_t, std::size_t)> tell_;
 
     // Each of `all` with each value of an axis.
@@ -179,11 +187,15 @@ private:
     }
     template <class Case>
     std::vector<Row> run_all(const std::vector<Choices>& all, const Case& what) const {
+        require(!only_ || *only_ < all.size(), "accuracy: row ", only_.value_or(0), " alone was asked for; the study has ",
+                all.size(), ", counted from 0");
         std::vector<Row> rows;
-        for (const Choices& choices : all) {
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            if (only_ && k != *only_)
+                continue;
             if (tell_)
-                tell_(choices, rows.size(), all.size());
-            rows.push_back(measure(choices, what));
+                tell_(all[k], k, all.size());
+            rows.push_back(measure(all[k], what));
         }
         mark_front(rows);
         return rows;
@@ -203,13 +215,14 @@ private:
     Row measure(const Choices& choices, const Case& what) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         Row row{choices, 0, infinity, 0, infinity, 0, false, {}};
-        for (int k = 0; k < repetitions_; ++k) {
+        const int repetitions = only_ ? 1 : repetitions_;
+        for (int k = 0; k < repetitions; ++k) {
             Choices mine = choices;
             mine.repetition = k;
             const std::clock_t begin = std::clock(); // of the processor: other programs on the machine do not count
             const Outcome outcome = outcome_of(what, mine, row.failure);
             row.seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-            row.error += outcome.error / repetitions_;
+            row.error += outcome.error / repetitions;
             row.least_error = std::min(row.least_error, outcome.error);
             row.greatest_error = std::max(row.greatest_error, outcome.error);
             row.pair_evaluations = std::max(row.pair_evaluations, outcome.pair_evaluations);
