@@ -59,7 +59,9 @@ def programs():
         if folder != "support":
             yield {"guides": "guide_"}.get(folder, f"{folder}_" if folder else "") + name
     for path in glob.glob(os.path.join(ROOT, "**", "CMakeLists.txt"), recursive=True):
-        yield from re.findall(r"add_custom_target\((\w+)", "".join(lines_of(path)))
+        folder = os.path.relpath(os.path.dirname(path), ROOT)
+        for name in re.findall(r"add_(?:custom_target|executable)\((\w+)", "".join(lines_of(path))):
+            yield from (name, f"{folder}/{name}")
     for path in glob.glob(os.path.join(ROOT, "benchmarks", "*.cpp")):
         name = os.path.basename(path)[:-4]
         yield from ([f"benchmarks/{name}", name] if name != "bench_widths" else
