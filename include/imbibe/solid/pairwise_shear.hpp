@@ -48,6 +48,8 @@ struct PairwiseShearForceParameters {
 /// or cubic lattice meets, with the factor 1.07, 0.70 G (0.71 G) with 1.5 spacings, 1.04 G (1.05 G) with 2 and
 /// with 2.6.
 ///
+/// Not without TotalLagrangianViscosity where the solid moves on: the plate that swings of the reference cases, six
+/// particles thick, gained energy however short the steps were, and burst in its first period; with it it swung on.
 /// Not where energy must be kept to round-off: unlike TotalLagrangianForce it is not the derivative of an energy (the
 /// gradients in the force are not corrected, those in F are). The shear part is central and keeps angular momentum; the
 /// isotropic one keeps it only as well as the gradients are. Not for stresses at free surfaces: there, too, the
