@@ -10,37 +10,43 @@
 
 namespace imbibe::bench {
 
-/// Read before anything is computed, so that a document that is not what it should be is noticed in time.
+/// Read when it is made, so that one that is not what it should be is noticed before anything is computed, and again
+/// whenever it is asked for: while a run takes its hour, others write to the same document.
 class Document {
 public:
     /// @param name the lines are `<!-- name: begin -->` and `<!-- name: end -->`
-    /// @throws Error if the document cannot be read or has no such lines
-    Document(std::string path, const std::string& name) : path_(std::move(path)) {
-        const std::string begin = "<!-- " + name + ": begin -->\n", end = "<!-- " + name + ": end -->";
+    /// @throws Error if the document cannot be read or has no such lines, and so do the functions
+    Document(std::string path, const std::string& name)
+        : path_(std::move(path)), begin_("<!-- " + name + ": begin -->\n"), end_("<!-- " + name + ": end -->") {
+        read();
+    }
+    /// What stands between the lines.
+    std::string generated() const { return read().generated; }
+    /// Puts something else there. Throws Error if the document cannot be written; it is then as it was.
+    void replace(const std::string& generated) const {
+        const Parts now = read();
+        AtomicFile whole(path_);
+        whole << now.before + generated + now.after;
+        whole.commit();
+    }
+
+private:
+    struct Parts {
+        std::string before, generated, after;
+    };
+    Parts read() const {
         std::ifstream in(path_);
         require(in.is_open(), "cannot read ", path_, "; give a document that is there");
         std::stringstream all;
         all << in.rdbuf();
         const std::string text = all.str();
-        const auto first = text.find(begin), last = text.find(end);
+        const auto first = text.find(begin_), last = text.find(end_);
         require(first != std::string::npos && last != std::string::npos && first < last, path_, " has no lines ",
-                begin.substr(0, begin.size() - 1), " and ", end, "; put them where the tables should be");
-        before_ = text.substr(0, first + begin.size());
-        generated_ = text.substr(first + begin.size(), last - first - begin.size());
-        after_ = text.substr(last);
+                begin_.substr(0, begin_.size() - 1), " and ", end_, "; put them where the tables should be");
+        const auto from = first + begin_.size();
+        return {text.substr(0, from), text.substr(from, last - from), text.substr(last)};
     }
-    /// What stands between the lines.
-    const std::string& generated() const { return generated_; }
-    /// Puts something else there. Throws Error if the document cannot be written; it is then as it was.
-    void replace(const std::string& generated) {
-        generated_ = generated;
-        AtomicFile whole(path_);
-        whole << before_ + generated_ + after_;
-        whole.commit();
-    }
-
-private:
-    std::string path_, before_, generated_, after_;
+    std::string path_, begin_, end_;
 };
 
 } // namespace imbibe::bench
