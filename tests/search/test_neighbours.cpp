@@ -181,6 +181,31 @@ TEMPLATE_TEST_CASE("Targets that are not the sources", "[search]", EVERY_CASE) {
     }
 }
 
+TEMPLATE_TEST_CASE("Long rows of targets that have a source here and there, or none", "[search]", EVERY_CASE) {
+    using Real = typename TestType::Real;
+    constexpr int dim = TestType::dim;
+    const double support = 0.1, length = 3;
+    const auto at = [](double x, double across) {
+        std::array<double, dim> point{};
+        point.fill(across);
+        point[0] = x;
+        return point;
+    };
+    CloudOf<TestType> targets;
+    for (double across : {0.0, 0.05, 0.3})
+        for (int i = 0; i < 600; ++i)
+            targets.add(at(i * length / 600, across));
+    for (int sides : {0, 1}) // the ends see each other, or do not
+        for (const auto& places : {std::vector<double>{0.001}, {1.5}, {2.999}, {0.4, 0.55, 0.7, 2.2, 2.31}}) {
+            CAPTURE(sides, places.front());
+            Cloud<dim, Real> sources;
+            for (double x : places)
+                sources.add(at(x, 0.02));
+            const auto c = compare<TestType>(targets, sources, support, box<dim>(sides, 0, length));
+            CHECK(c.pairs > 0);
+        }
+}
+
 TEMPLATE_TEST_CASE("Targets outside the periodic box", "[search]", EVERY_CASE) {
     // Particles of a total-Lagrangian solid are not wrapped: they may stand a little beyond the side, or far.
     for (double beyond : {0.01, 0.19, 0.3, 5.0})

@@ -109,6 +109,45 @@ struct RowsAround {
             shifted = shifted || image[k] != 0;
         }
     }
+
+    /// Do the cells from `low` up to, not including, `high` along x hold nothing in any row?
+    bool are_empty(const CellTable& table, int low, int high) const {
+        for (std::size_t r = 0; r < count; ++r) {
+            const int from = std::clamp(low, 0, cells[r]), to = std::clamp(high, 0, cells[r]);
+            if (table.start(first_cell[r] + static_cast<std::uint32_t>(from)) !=
+                table.start(first_cell[r] + static_cast<std::uint32_t>(to)))
+                return false;
+        }
+        return true;
+    }
+};
+
+/// Where along x the rows around hold nobody within reach. Most particles of a wall find so in the water, and most of the
+/// water in the wall; sorted by cells they find it together.
+template <int dim>
+class Nobody {
+public:
+    /// @param support in cells along x
+    explicit Nobody(double support) : reach(static_cast<int>(std::ceil(support)) + 2) {}
+
+    /// For other rows.
+    void forget() { end = begin; }
+
+    /// Is nobody within reach of a particle in cell `own`, counted along x? False where that is not certain.
+    bool is_near(const Grid<dim>& grid, const CellTable& table, const RowsAround<dim>& rows, int own) {
+        constexpr int asked_at_once = 4; // half a support
+        if (own < begin || own >= end) {
+            begin = own;
+            end = own + asked_at_once;
+            const int low = begin - reach, high = end + reach;
+            certain = (!grid.wraps(0) || (low >= 0 && high <= grid.n(0))) && rows.are_empty(table, low, high);
+        }
+        return certain;
+    }
+
+private:
+    int reach, begin = 0, end = 0; ///< the cells along x that were asked for
+    bool certain = false;
 };
 
 /// How far the support of a particle reaches in each of the rows around it: from cell low[r] up to, not including, cell
@@ -240,10 +279,12 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
     const double per_cell = 1 / grid.width(0);
     using T = Pack<Real, width>;
     const auto source_x = sources.x;
+    const bool among_others = targets.x != source_x; // nobody is alone in his own set
     parallel_for(list.block_count(), threads, [&](int block) {
         std::vector<Run>& runs = list.block(block);
         std::size_t used = 0;
         detail::RowsAround<dim> rows;
+        detail::Nobody<dim> nobody(support * per_cell);
         int row_y = -1000000000, row_z = 0;
         const int end = std::min(targets.n, (block + 1) * RunList::block_size);
         for (int i = block * RunList::block_size; i < end; ++i) {
@@ -254,14 +295,15 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
             const int y = grid.cell(1, at[1]), z = dim == 3 ? grid.cell(dim - 1, at[dim - 1]) : 0;
             if (y != row_y || z != row_z) { // sorted targets share their rows with the one before
                 rows = detail::RowsAround<dim>(grid, table, y, z);
+                nobody.forget();
                 row_y = y;
                 row_z = z;
             }
-            if (!rows.any) {
+            const double x = (at[0] - grid.lower(0)) * per_cell, cell = std::floor(x);
+            if (!rows.any || (among_others && nobody.is_near(grid, table, rows, static_cast<int>(cell)))) {
                 list.finish(i, static_cast<std::uint32_t>(used));
                 continue;
             }
-            const double x = (at[0] - grid.lower(0)) * per_cell, cell = std::floor(x);
             std::array<double, 2> below{}, above{};
             for (int d = 1; d < dim; ++d) {
                 const double from = at[static_cast<std::size_t>(d)] - grid.lower(d) - (d == 1 ? y : z) * grid.width(d);
