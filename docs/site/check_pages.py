@@ -4,6 +4,7 @@
 - every block of C++ is cut from a file that is compiled. The line before it names the file:
       <!-- examples/dam_break.cpp -->                                        lines that stand there one after the other
       <!-- examples/dam_break.cpp: begin. This is the text of that file. --> all of it, up to <!-- ...: end -->
+- every line of CMake stands, for other names, in a file of tests/consume that the line before the block names likewise;
 - every program and script that a block of commands calls is there, and so is every target it builds;
 - every term has its place in docs/policies.md;
 - every link to a file, a page or a heading has where to go.
@@ -50,6 +51,29 @@ def faults_of_code(code, before, after):
             yield f"shows lines that {cut[1]} does not have"
     else:
         yield "shows C++ and does not say from which compiled file"
+
+
+def stand_ins():
+    """What the projects of tests/consume say where a page says something that is its reader's."""
+    header = text_of("include/imbibe/version.hpp")
+    major, minor = (re.search(rf"VERSION_{part} (\d+)", header)[1] for part in ("MAJOR", "MINOR"))
+    return {"my_program": r"\w+", "/path/to/imbibe": r"\$\{IMBIBE_SOURCE\}",
+            "add_subdirectory(imbibe)": r"add_subdirectory\(\$\{IMBIBE_SOURCE\} imbibe\)",
+            f"imbibe {major}.{minor} ": r"imbibe \$\{EXPECTED_VERSION\} "}
+
+
+def faults_of_cmake(code, before):
+    """What is wrong with a block of CMake, given the text before it."""
+    cut = CUT.search(before)
+    if not cut or not cut[1].startswith("tests/consume/") or not os.path.exists(os.path.join(ROOT, cut[1])):
+        yield "shows CMake and does not say from which file of tests/consume"
+        return
+    for line in code.splitlines():
+        pattern = re.escape(line.split("#")[0].strip())
+        for said, meant in stand_ins().items():
+            pattern = pattern.replace(re.escape(said), meant)
+        if not re.search(rf"^{pattern}$", text_of(cut[1]), re.MULTILINE):
+            yield f"shows a line that {cut[1]} does not have: {line}"
 
 
 def programs():
@@ -136,6 +160,8 @@ def main():
             if block[1] == "cpp":
                 blocks += 1
                 found += [(line, it) for it in faults_of_code(block[2], text[:block.start()], text[block.end():])]
+            elif block[1] == "cmake":
+                found += [(line, it) for it in faults_of_cmake(block[2], text[:block.start()])]
             elif block[1] == "sh":
                 found += [(line, it) for it in faults_of_commands(block[2], known)]
         faults += [f"{page}:{line}: {what}" if line else f"{page}: {what}" for line, what in found]

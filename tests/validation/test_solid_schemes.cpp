@@ -1,17 +1,19 @@
 // Schemes of the elastic solid that stand beside the usual ones, on scenes with a known outcome: a nearly
-// incompressible beam, a twisted column, and the beam of Turek and Hron under its weight.
+// incompressible beam, a twisted column, a plate that swings, and the beam of Turek and Hron under its weight.
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/kernels/kernels.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
+#include <imbibe/solid/total_lagrangian_viscosity.hpp>
 #include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 
 #include <Eigen/LU>
 
+#include <benchmarks/validation/oscillating_plate.hpp>
 #include <benchmarks/validation/turek_hron.hpp>
 #include <catch_shim.hpp>
 
@@ -32,6 +34,9 @@ struct Elastic : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradien
                             sph::HourglassControl<K>, sph::CauchyStress, sph::Clamped> {};
 struct Pairwise
     : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::PairwiseShearForce<K>, sph::Clamped> {};
+struct PairwiseWithViscosity
+    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::PairwiseShearForce<K>,
+                 sph::TotalLagrangianViscosity<K>, sph::Clamped> {};
 template <int dim, class Law>
 using SolidScene = sph::Solver<dim, double, sph::SymplecticEuler, Elastic<Law>>;
 
@@ -201,6 +206,17 @@ TEST_CASE("A column with its shear from pairs has no zero-energy pattern at all"
     CHECK(t.smallest > 0.98);
     CHECK(t.largest < 1.02);
     CHECK(t.rough < 0.05); // a smooth twist of a revolution has 0.03
+}
+
+// Without the viscosity it bursts in its first swing.
+TEST_CASE("A plate with its shear from pairs and viscosity swings on", "[validation][solid]") {
+    namespace plate = validation::oscillating_plate;
+    const auto seen = plate::swing(plate::rubber<PairwiseWithViscosity>(plate::young_modulus),
+                                   {.across = 6, .support_ratio = 2, .periods = 5});
+    REQUIRE(seen.peaks.size() == 5);
+    CAPTURE(seen.peaks.front(), seen.peaks.back(), seen.period());
+    CHECK(seen.peaks.back() == Approx(seen.peaks.front()).epsilon(0.005));
+    CHECK(seen.period() == Approx(0.2552).epsilon(0.03));
 }
 
 // As it is, this beam is too soft by (1 - 1/n^2) in bending with n particles across. With 5 it is also half a spacing
