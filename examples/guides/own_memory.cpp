@@ -1,6 +1,6 @@
-// A host program that owns its particles: their places are columns of its own memory, which the neighbour search reads
-// where they are, and the sums over neighbours are its own loop. Here a periodic square of points is stirred, and their
-// density summed.
+// A host program that owns its particles: their places are columns of its own memory, which it hands to the neighbour
+// search as they are (the search sorts a copy of its own), and the sums over neighbours are its own loop. Here a
+// periodic square of points is stirred, and their density summed.
 #include <imbibe/imbibe.hpp>
 
 #include <algorithm>

@@ -188,8 +188,10 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                 pictures(s);
             if (!output.quiet)
                 progress(s);
-            if (stop_asked && s.search_is_due()) // where a checkpoint does not change what comes after it
+            if (stop_asked && s.search_is_due()) { // where a checkpoint does not change what comes after it
+                guard.look(s);
                 throw StoppedByUser{};
+            }
             guard(s);
             if (checkpoints.due(s))
                 guard.look(s);
@@ -197,6 +199,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
             if (s.steps() == 0) // so that there is always one to go back to
                 write_checkpoint(s, checkpoint, keep_notes());
         });
+        guard.look(scene);
         write_checkpoint(scene, checkpoint, keep_notes()); // from which the run can go on to a later end
     } catch (const StoppedByUser&) {
         result.failure = "stopped by the user; --restart goes on from here";

@@ -1,4 +1,5 @@
 // A coupling of a phase with itself: what acts within a phase is a term of the phase.
+// expect: this phase or coupling is listed twice, or a phase is coupled to itself
 // expect: SamePhaseTwice<Water,
 // expect: couple_two_different_phases
 #include "scene.hpp"

@@ -1,4 +1,5 @@
 // A coupling that is listed twice.
+// expect: this phase or coupling is listed twice, or a phase is coupled to itself
 // expect: SamePhaseTwice<Contact
 // expect: list_each_phase_and_coupling_once
 #include "scene.hpp"

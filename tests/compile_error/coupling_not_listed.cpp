@@ -1,4 +1,5 @@
 // The coefficients of a coupling that the scene does not have.
+// expect: the scene does not have this phase or coupling
 // expect: NotInTheScene<Contact
 // expect: list_the_coupling_in_the_solver
 #include "scene.hpp"

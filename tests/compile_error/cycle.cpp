@@ -1,4 +1,5 @@
 // Pressure from temperature and temperature from pressure. The pressure gradient only waits for them.
+// expect: these terms wait for each other's results
 // expect: Cycle<
 // expect: GasLaw
 // expect: Adiabatic

@@ -1,4 +1,5 @@
 // A term lists a field in `reads` that it never looks at.
+// expect: this term lists a field in `reads` that it never reads: remove it there
 // expect: DeclaresWhatItDoesNotRead<imbibe::Density, Drag>
 #include "scene.hpp"
 

@@ -1,4 +1,5 @@
 // Particles of a phase are to be held that no term can hold.
+// expect: particles of this phase are to be held, and it has no term that holds them
 // expect: HeldWithoutClamped<Block
 // expect: list_the_term_Clamped_in_the_phase
 #include "scene.hpp"

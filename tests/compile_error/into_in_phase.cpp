@@ -1,4 +1,5 @@
 // What acts on one side of a coupling, in a phase.
+// expect: this is listed where a term is expected, and is none
 // expect: NotATerm<imbibe::Into<
 // expect: Water
 // expect: list_terms_only_and_Into_only_in_couplings

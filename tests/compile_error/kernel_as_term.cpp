@@ -1,4 +1,5 @@
 // A kernel where a term is expected.
+// expect: this is listed where a term is expected, and is none
 // expect: NotATerm<imbibe::WendlandC2, Water
 // expect: list_terms_only_and_Into_only_in_couplings
 #include "scene.hpp"

@@ -1,4 +1,5 @@
 // A solver without an integrator.
+// expect: the solver has no integrator, but this phase or coupling in its place
 // expect: NoIntegrator<Water
 // expect: put_an_integrator_such_as_SymplecticEuler_before_the_phases
 #include "scene.hpp"

@@ -1,4 +1,5 @@
 // A coupling to a phase that the scene does not have.
+// expect: this coupling names a phase that the scene does not have
 // expect: NoSuchPhase<Sponge, Contact,
 // expect: list_every_phase_of_a_coupling_in_the_solver
 #include "scene.hpp"

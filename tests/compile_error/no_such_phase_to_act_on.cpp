@@ -1,5 +1,7 @@
 // A term of a coupling is sent into a phase that is not one of its two.
+// expect: this coupling names a phase that the scene does not have
 // expect: NoSuchPhase<Sponge, Sides,
+// expect: list_every_phase_of_a_coupling_in_the_solver
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};

@@ -1,4 +1,5 @@
 // A fluid without an equation of state: nobody sets the pressure that the pressure gradient reads.
+// expect: a term reads this field, and no term of its phase sets it
 // expect: NobodySets<imbibe::Pressure, imbibe::SymmetricPressure<imbibe::WendlandC2>, Water,
 // expect: add_an_equation_of_state_such_as_Tait
 #include "scene.hpp"

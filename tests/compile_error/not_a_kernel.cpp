@@ -1,6 +1,6 @@
 // Something else than a kernel as the kernel of a term.
+// expect: a term is given this where it takes a kernel, such as WendlandC2
 // expect: NotAKernel<imbibe::Tait<
-// expect: takes a kernel
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<sph::Tait<>>, sph::SymmetricPressure<K>> {};

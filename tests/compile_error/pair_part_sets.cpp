@@ -1,4 +1,5 @@
 // A function of a pair that sets a field: by which neighbour?
+// expect: a function of a pair can only add to fields, and this one sets one
 // expect: PairPartSets<NearestPressure, NearestPressure
 // expect: let_the_part_add_to_the_field
 #include "scene.hpp"

@@ -1,4 +1,5 @@
 // A pair term reads a field of its neighbour that is missing from its `reads`.
+// expect: this term reads a field that is missing from its `reads`: add it there
 // expect: ReadsWhatItDoesNotDeclare<imbibe::Velocity, Drag>
 #include "scene.hpp"
 

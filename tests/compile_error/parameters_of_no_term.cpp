@@ -1,4 +1,5 @@
 // Coefficients of a term that the phase does not have.
+// expect: no term of this phase or coupling has these parameters
 // expect: NoTermHasTheseParameters<imbibe::KernelRepulsionParameters
 // expect: list_the_term_that_they_are_of
 #include "scene.hpp"

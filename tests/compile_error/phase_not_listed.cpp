@@ -1,4 +1,5 @@
 // Particles of a phase that the scene does not have.
+// expect: the scene does not have this phase or coupling
 // expect: NotInTheScene<Oil
 // expect: list_the_phase_in_the_solver
 #include "scene.hpp"

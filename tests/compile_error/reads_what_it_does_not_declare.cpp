@@ -1,4 +1,5 @@
 // A particle term reads a field that is missing from its `reads`.
+// expect: this term reads a field that is missing from its `reads`: add it there
 // expect: ReadsWhatItDoesNotDeclare<imbibe::Density, Gas>
 #include "scene.hpp"
 

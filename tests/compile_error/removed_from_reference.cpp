@@ -1,4 +1,5 @@
 // Particles of a total-Lagrangian solid are to be removed.
+// expect: the particles of a total-Lagrangian phase cannot be removed
 // expect: RemovedFromReference<Block
 // expect: remove_particles_of_other_phases_only
 #include "scene.hpp"

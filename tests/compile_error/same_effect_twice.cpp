@@ -1,4 +1,5 @@
 // Two forms of the equation of continuity: the density would change twice as fast.
+// expect: two terms are forms of the same equation, which would count twice
 // expect: SameEffectTwice<imbibe::effects::continuity_equation, imbibe::Continuity<
 // expect: imbibe::VolumeContinuity<
 // expect: Water

@@ -1,7 +1,9 @@
 // A density that is set, and to whose rate another term adds.
+// expect: two terms of one phase set the same field
 // expect: SetTwice<imbibe::Density, imbibe::SummationDensity<
 // expect: imbibe::VolumeContinuity<
 // expect: Water
+// expect: remove_one_of_the_two_terms
 #include "scene.hpp"
 
 #include <imbibe/fluid/summation_density.hpp>

@@ -1,4 +1,5 @@
 // Two equations of state.
+// expect: two terms of one phase set the same field
 // expect: SetTwice<imbibe::Pressure, imbibe::
 // expect: imbibe::LinearState
 // expect: imbibe::Tait<

@@ -1,4 +1,5 @@
 // A law of elasticity in a phase that has no elastic moduli.
+// expect: this term asks for the elastic moduli of a solid, and its phase has none
 // expect: NotASolid<imbibe::StVenantKirchhoff, Water
 // expect: give_it_to_a_solid
 #include "scene.hpp"

@@ -1,4 +1,5 @@
 // An integrator that names a phase which the scene does not have.
+// expect: the scene does not have this phase or coupling
 // expect: NotInTheScene<Gate
 // expect: list_the_phase_in_the_solver
 #include "scene.hpp"

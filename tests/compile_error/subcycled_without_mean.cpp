@@ -1,4 +1,5 @@
 // A phase takes shorter steps than the scene, and does not average its motion for the others.
+// expect: the phase that Subcycled names does not average its motion
 // expect: SubcycledWithoutMean<Gate
 // expect: list_the_term_TimeAveragedMotion_in_the_phase
 #include "scene.hpp"

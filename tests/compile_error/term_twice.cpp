@@ -1,4 +1,5 @@
 // A force that is listed twice would be twice as great.
+// expect: the same term is listed twice
 // expect: TermTwice<imbibe::KernelRepulsion<
 // expect: Water
 // expect: list_it_once

@@ -1,5 +1,7 @@
 // More fields than the schedule has columns for.
+// expect: the scene has more terms or fields than the schedule has room for
 // expect: TooLarge<
+// expect: use_fewer_terms_or_raise_the_limits_in_schedule_hpp
 #include "scene.hpp"
 
 template <int k>

@@ -10,6 +10,9 @@ namespace imbibe {
 ///
 /// For large strains, above all compression, which it resists without limit. Equal to Hooke's law for small ones.
 ///
+/// Not for Poisson's ratios near 0.5: the mean stress then alternates from particle to particle; VolumetricDeviatoric
+/// averages it.
+///
 /// An element turned inside out (J <= 0) is beyond it; J is then taken as 0.001, which pushes it back.
 ///
 /// Source: Ciarlet (1988); Simo and Hughes (1998).

@@ -7,7 +7,8 @@ namespace imbibe {
 ///
 /// The same trajectory as SymplecticEuler started half a step off, so as stable and as cheap, but velocities belong to
 /// the time of the positions: of second order in dt for forces that depend on positions alone (a total-Lagrangian
-/// solid), where SymplecticEuler is of first. Forces that depend on the velocity see that of half a step before.
+/// solid), where SymplecticEuler is of first. Not to gain an order where forces depend on velocities (viscosities):
+/// they see those of half a step before.
 /// Source: Verlet (1967); Swope, Andersen, Berens and Wilson (1982); one evaluation of all terms a step.
 struct Leapfrog {
     template <class Engine>

@@ -9,10 +9,10 @@ namespace imbibe {
 ///   y' = y + dt/2 f(y),  y'' = y + dt f(y').
 ///
 /// Of second order in dt for all forces, and two evaluations a step; each has rates and forces in one and the same
-/// moment, so that a fluid needs one sweep an evaluation where SymplecticEuler needs two. Undamped waves grow, by
-/// (c k dt)^4/8 a step: give the scene a viscosity or density diffusion, and a shorter step than SymplecticEuler's.
-/// Neighbours are found once a step: pairs that come within reach during its first half are missed for the second,
-/// at the rim, where compact kernels are near zero.
+/// moment, so that a fluid needs one sweep an evaluation where SymplecticEuler needs two. Not for undamped waves, which
+/// grow by (c k dt)^4/8 a step: give the scene a viscosity or density diffusion, and a shorter step than
+/// SymplecticEuler's. Neighbours are found once a step: pairs that come within reach during its first half are missed
+/// for the second, at the rim, where compact kernels are near zero.
 /// Source: Runge (1895).
 struct MidpointRungeKutta {
     /// What is evaluated in a step, for reports.

@@ -7,7 +7,8 @@ namespace imbibe {
 /// at the middle.
 ///
 /// As stable and as cheap as SymplecticEuler and of second order in dt for forces that depend on positions alone.
-/// Neighbours are those of the middle of the step. A state stands where the forces were evaluated, not at the end.
+/// Neighbours are those of the middle of the step. Not where densities and pressures that are written out are to belong
+/// to the positions beside them: a state stands where the forces were evaluated, in the middle of the step.
 /// Source: Tuckerman, Berne and Martyna (1992); one evaluation of all terms a step.
 struct PositionVerlet {
     template <class Engine>

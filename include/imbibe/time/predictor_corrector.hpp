@@ -9,7 +9,7 @@ namespace imbibe {
 ///   predictor y' = y + dt/2 f,  then f = f(y'),  corrector y = y + dt f.
 ///
 /// The cheapest step there is: one evaluation, and rates and forces of one moment in one sweep where the terms allow
-/// it. Of second order in dt. Undamped waves grow slowly and large steps are not forgiven: give the scene a viscosity
+/// it. Of second order in dt. Not for undamped waves, which grow slowly, nor for long steps: give the scene a viscosity
 /// or density diffusion, and a shorter step than SymplecticEuler's.
 /// Source: Monaghan (1994), "Simulating free surface flows with SPH".
 struct PredictorCorrector {

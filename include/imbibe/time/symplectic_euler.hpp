@@ -8,6 +8,7 @@ namespace imbibe {
 ///   rho' = rho + dt D(x, v),  v' = v + dt a(x, rho'),  x' = x + dt v'.
 /// For the acoustic oscillator this is the staggered leapfrog: it conserves energy on average and is stable to
 /// c k dt < 2. With old rates everywhere (explicit Euler) even a dry sponge at rest blows up.
+/// Not where velocities are wanted at the time of the positions, as in the energy of an undamped solid: Leapfrog.
 /// Source: Hairer, Lubich and Wanner (2003), Eq. 1.9; one evaluation of all terms a step.
 struct SymplecticEuler {
     template <class Engine>

@@ -1,7 +1,7 @@
-// A program compiled with -fno-rtti: reports and errors name types all the same.
+// A program compiled with -fno-rtti: the whole library is, and reports and errors name types all the same.
 #include "scene.hpp"
 #include <cstdio>
-#include <imbibe/solver/describe.hpp>
+#include <imbibe/imbibe.hpp>
 
 int main() {
     SmallScene scene = fallen_square();
