@@ -17,6 +17,7 @@ import re
 import sys
 
 import benchmark_results as results
+import compare_counts
 import count_instructions
 from picture_style import CURVES, DASHES, plt, save
 
@@ -131,6 +132,9 @@ class Report:
             name = f"hypoelastic/{real}/26"
             bar(f"hypoelastic solid, ns per particle, {real}", solid, value("bench_sweep", name), digits=0)
             bar(f"the loops by hand, ns per particle, {real}", solid, value("bench_sweep", name, "hand"), digits=0)
+        for real in REALS:
+            loop = f"fluid_loops_in_one_sweep_{real}"
+            bar(f"fluid in one sweep over the loop by hand, instructions, {real}", 1.03, self.over_by_hand().get(loop))
         moved = "neighbours/float/moved/{}/26".format
         bar("neighbours with sort, ns per particle, float", 85, value("bench_search", moved(100000)), digits=0)
         bar("nanoflann's radius search over that", 12,
@@ -320,6 +324,13 @@ class Report:
         axes.set_xscale("log", base=2)
         axes.set_xticks(sorted({w for _, _, w in found}), [str(w) for w in sorted({w for _, _, w in found})])
         self.picture("widths.png", figure, "Time per particle against the width of packs")
+
+    def over_by_hand(self):
+        path = os.path.join(self.build, "results", "counts.json")
+        if not os.path.exists(path):
+            return {}
+        with open(path) as file:
+            return compare_counts.over_by_hand(json.load(file)["counts"])
 
     def counts(self):
         path = os.path.join(self.build, "results", "counts.json")

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Compares two files of instruction counts; fails when one has grown by more than 3 %.
+"""Compares two files of instruction counts; fails when one has grown by more than 3 %, or when a loop of the library takes
+a fifth more than the same loop by hand.
 
     python3 tools/compare_counts.py benchmarks/baseline_counts.json counts.json
 
-The files are written by tools/count_instructions.py. Ends with 0 if no count has grown, 1 if one has or is missing, and
+The files are written by tools/count_instructions.py. Ends with 0 if none of that is so, 1 if it is or a count is missing, and
 77 if the counts come from different compilers and so say nothing about the code. When fewer or more instructions are
 meant to be, the new file becomes the stored one:
 
@@ -28,11 +29,20 @@ def read(path):
         sys.exit(f"compare_counts.py: {path} is not a file of counts as tools/count_instructions.py writes them")
 
 
+def over_by_hand(counts):
+    """{case: its instructions over those of the same work by hand}"""
+    hand = "_by_hand_"
+    return {case.replace(hand, "_"): counts[case.replace(hand, "_")] / number
+            for case, number in counts.items() if hand in case and case.replace(hand, "_") in counts}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("old")
     parser.add_argument("new")
     parser.add_argument("--tolerance", type=float, default=3, help="growth that is let pass, percent (default: 3)")
+    parser.add_argument("--by-hand", type=float, default=1.2,
+                        help="how many times the instructions of a loop by hand are let pass (default: 1.2)")
     arguments = parser.parse_args()
     (old_compiler, old), (new_compiler, new) = read(arguments.old), read(arguments.new)
 
@@ -54,6 +64,14 @@ def main():
             row += "  grown"
         print(row)
 
+    beyond = []
+    for case, ratio in sorted(over_by_hand(new).items()):
+        print(f"{case}: {ratio:.3f} times those by hand")
+        if ratio > arguments.by_hand:
+            beyond.append(case)
+    if beyond:
+        print(f"more than {arguments.by_hand:g} times the instructions of the loop by hand: {', '.join(beyond)}")
+        return 1
     if old_compiler != new_compiler:
         print(f"not compared: the old counts are of {old_compiler}, the new ones of {new_compiler}")
         return NOT_COMPARABLE

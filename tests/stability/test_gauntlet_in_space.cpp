@@ -12,6 +12,7 @@ using stability::WeaklyCompressible;
 TEST_CASE("In space water that is shaken comes to rest, and still water stays still", "[stability]") {
     check_preset_in_space(stability::shaken_water<WeaklyCompressible, float, 3>);
     check_preset_in_space(stability::still_water<WeaklyCompressible, float, 3>); // rows 5 and 20
+    check_stable(stability::still_water<WeaklyCompressible, double, 3>, 0.4, 0);
     check_margin(stability::still_water<DamBreak, float, 3>);
 }
 

@@ -2,9 +2,19 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/core/rule.hpp>
 #include <imbibe/fluid/riemann.hpp>
 
 namespace imbibe {
+
+struct use_RiemannPressure_between_fluids; // advice
+namespace rules {
+/// Rule: a force of walls on fluids has a fluid on one side, and on the other none.
+template <class Term, class Advice>
+struct NotBetweenFluidAndWall {
+    static_assert(sizeof(Term) == 0, "imbibe: this term goes between a fluid and a wall or a solid");
+};
+} // namespace rules
 
 /// sum_w V_w grad_f W_fw, 1/m: from a fluid particle into the walls around it, zero where there is none.
 struct WallDirection : Field<Rank::vector> {
@@ -91,8 +101,9 @@ struct RiemannWallPressure {
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             using A = std::remove_cvref_t<decltype(a)>;
             using B = std::remove_cvref_t<decltype(b)>;
-            static_assert(detail::is_liquid<typename A::Material> != detail::is_liquid<typename B::Material>,
-                          "imbibe: RiemannWallPressure goes between a fluid and a wall or a solid");
+            if constexpr (detail::is_liquid<typename A::Material> == detail::is_liquid<typename B::Material>)
+                detail::break_rule<
+                    rules::NotBetweenFluidAndWall<RiemannWallPressure, use_RiemannPressure_between_fluids>>();
             const auto per_mass = 1 / a[mass];
             const auto force = 2 * (a[volume] * b[volume] * ab.gradient(Kernel{}) * per_mass);
             if constexpr (detail::is_liquid<typename A::Material>)

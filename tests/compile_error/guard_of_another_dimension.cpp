@@ -1,0 +1,14 @@
+// A guard made for space in a scene of the plane.
+// expect: a Guard is of its scene's dimension
+#include "scene.hpp"
+
+#include <imbibe/monitor/guard.hpp>
+
+struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    sph::Guard<3> guard;
+    scene.run_until(1, guard);
+}

@@ -1,0 +1,15 @@
+// The paper's viscosity kernel of space, in the plane.
+// expect: ViscosityKernel is the kernel of 3 dimensions, its Laplacian elsewhere is another
+// expect: in 2 dimensions use ViscosityKernel2D
+#include "scene.hpp"
+
+#include <imbibe/fluid/laminar_viscosity.hpp>
+#include <imbibe/kernels/viscosity_kernel.hpp>
+
+struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::LaminarViscosity<sph::ViscosityKernel>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+
+int main() {
+    Scene scene({.support_radius = 0.1});
+    scene.run_until(1);
+}

@@ -1,0 +1,14 @@
+// The elastic energy of water, whose terms know of none.
+// expect: no term of this phase has a stored_energy
+#include "scene.hpp"
+
+#include <imbibe/monitor/energy.hpp>
+#include <imbibe/solid/deformation_gradient.hpp>
+#include <imbibe/solid/reference_correction.hpp>
+
+struct Block : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Block>;
+
+double energy(Scene& scene, sph::PhaseHandle<Block> block) {
+    return sph::elastic_energy<2>(scene[block]);
+}
