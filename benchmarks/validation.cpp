@@ -19,6 +19,7 @@
 #include "validation/square_patch.hpp"
 #include "validation/standing_wave.hpp"
 #include "validation/still_water.hpp"
+#include "validation/taylor_green.hpp"
 #include "validation/turek_hron.hpp"
 
 #include <CLI/CLI.hpp>
@@ -33,6 +34,7 @@ int main(int argc, char** argv) {
     const std::vector<Case> cases{
         {"still-water", "particles along a side", {20, 40}, still_water::measure},
         {"poiseuille", "particles across the gap", {12, 25, 50}, plates::measure_poiseuille},
+        {"taylor-green", "particles along a side", {50, 100}, taylor_green::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
