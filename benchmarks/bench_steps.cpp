@@ -58,8 +58,8 @@ struct DamBreak {
     }
 };
 
-/// A total-Lagrangian column, five times as high as wide, held at its foot, that has been pushed. With all that keeps it
-/// quiet and a support of 2 spacings, or its law alone and 2.3 spacings: some 50 neighbours.
+/// A total-Lagrangian column, five times as high as wide, held at its foot, that has been pushed. With all that keeps
+/// it quiet and a support of 2 spacings, or its law alone and 2.3 spacings: some 50 neighbours.
 struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>,
                       HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
 struct LawAlone

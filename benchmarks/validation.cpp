@@ -14,6 +14,7 @@
 #include "validation/pipe.hpp"
 #include "validation/plates.hpp"
 #include "validation/report.hpp"
+#include "validation/soft_plate.hpp"
 #include "validation/spheres.hpp"
 #include "validation/spinning_plate.hpp"
 #include "validation/square_patch.hpp"
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
         {"turek-hron", "particles over the thickness", {4, 6, 10, 20}, turek_hron::measure},
         {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure},
+        {"soft-plate", "particles over the plate's thickness", {5, 10}, soft_plate::measure},
         {"elastic-gate", "particles over the gate's thickness", {5, 10}, elastic_gate::measure}};
 
     std::vector<std::string> names{"all"}, chosen;

@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
         if (app.count("--accuracy") > 0) {
             const auto& chosen = sph::presets::set_accuracy(numbers, accuracy);
             std::printf("Accuracy: %s, water %.3g mm apart; the sponge's mean displacement differs by about %.0f %% from "
-                        "that of the finest run (docs/accuracy.md)\n\n",
+                        "that of the finest run (on a strip, until 0.15 s: docs/accuracy.md)\n\n",
                         accuracy.c_str(), 1e3 * numbers.water_spacing, 100 * chosen.difference);
         }
         const auto result = sph::example::run_sponge(composition, precision, numbers, end, output);

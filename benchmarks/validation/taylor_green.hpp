@@ -42,8 +42,8 @@ constexpr sph::ParticleShiftingParameters strong_shifting{.strength = 4, .least_
 
 /// One run. Lengths in units of the square's side, speeds in those of the greatest at the start.
 struct Run {
-    double across = 50;     ///< particles along a side
-    double support = 3;     ///< spacings
+    double across = 50; ///< particles along a side
+    double support = 3; ///< spacings
     double cfl = 0.4;
     double reynolds = 100;
     double jitter = 0.2;    ///< of the lattice, spacings

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string>
 #include <string_view>
 
 namespace {
@@ -16,6 +18,14 @@ constexpr std::array explained_as_short{"Tait<7>, Spiky, H = 1.25", "DensityFloo
                                         "paper's hypoelastic, nu 0.3", "KernelRepulsion within a phase"};
 constexpr std::array explained_as_long{"a spring to the origin"};
 
+// Each of these limits some scene.
+constexpr std::array reasons{"sound",        "density floor",       "density diffusion",
+                             "viscosity",    "viscous diffusion",   "artificial viscosity",
+                             "elastic wave", "hourglass stiffness", "solid viscosity",
+                             "repulsion",    "repulsion stiffness", "corrected gradients",
+                             "acceleration", "Riemann dissipation", "Riemann smoothing of the density",
+                             "spring"};
+
 bool is_among(const auto& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -26,9 +36,14 @@ TEST_CASE("every predicted limit holds, and steps half as long again do not") {
     stability::Table table;
     stability::add_limits(table);
     int predicted = 0;
+    std::set<std::string> limited_by;
     for (const Row& row : table.rows) {
         CAPTURE(row.composition, row.scene);
-        const auto at = [&](double cfl) { return row.run({.cfl = cfl, .value = row.value}).stable; };
+        const auto at = [&](double cfl) {
+            const auto out = row.run({.cfl = cfl, .value = row.value});
+            limited_by.insert(out.limit);
+            return out.stable;
+        };
         if (!is_among(explained_as_long, row.composition))
             CHECK(at(0.9));
         if (!is_among(explained_as_short, row.composition)) {
@@ -37,4 +52,8 @@ TEST_CASE("every predicted limit holds, and steps half as long again do not") {
         }
     }
     CHECK(predicted > 30);
+    for (const char* reason : reasons) {
+        CAPTURE(reason);
+        CHECK(limited_by.count(reason) == 1);
+    }
 }

@@ -122,8 +122,8 @@ struct RowsAround {
     }
 };
 
-/// Where along x the rows around hold nobody within reach. Most particles of a wall find so in the water, and most of the
-/// water in the wall; sorted by cells they find it together.
+/// Where along x the rows around hold nobody within reach. Most particles of a wall find so in the water, and most of
+/// the water in the wall; sorted by cells they find it together.
 template <int dim>
 class Nobody {
 public:
