@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Runs the sponge for a few steps and looks at all it leaves: what it says, its table, its files for ParaView (read by
-VTK itself), its pictures. Then gives it options it must refuse, before it has written anything.
+VTK itself), its pictures. Then with steps that are far too long, after which it must go on from where it was good. Then
+gives it options it must refuse, before it has written anything.
 
     python3 tests/output/run_sponge.py build/sponge
 """
@@ -68,6 +69,17 @@ def check_good_run(folder):
         check(content.startswith(b"\x89PNG") and len(content) > 10000, picture, "is no picture")
 
 
+def check_stopped_by_its_guard(folder):
+    """Steps that are too long end in a clear word, with the offending state and a good one on disk."""
+    common = ["--quick", "--snapshots", 0, "--threads", 1, "--output", folder]
+    code, said = run(*common, "--cfl", 2, "--end", 0.1)
+    check(code > 0, "steps far too long: exit status", code, said)
+    check("broken" in said and "--restart goes on" in said and "--cfl" in said, "steps far too long:", said)
+    check(any((folder / "broken").iterdir()), "no offending state in", folder / "broken")
+    code, said = run(*common, "--cfl", 0.5, "--end", 0.002, "--restart")
+    check(code == 0 and "all accounted for" in said, "going on with shorter steps:", code, said)
+
+
 def check_refused(root, expected, *options):
     """Refused with these words, by a status that is not 0, before a folder is made."""
     folder = root / "refused"
@@ -80,6 +92,7 @@ def check_refused(root, expected, *options):
 with tempfile.TemporaryDirectory() as name:
     root = Path(name)
     check_good_run(root / "run")
+    check_stopped_by_its_guard(root / "stopped")
     check_refused(root, ["--nonsense"], "--nonsense")
     check_refused(root, ["--support", "paper"], "--support", 1.3)
     check_refused(root, ["--young-modulus", "sound"], "--composition", "paper", "--young-modulus", 1e5)

@@ -4,14 +4,14 @@
 
 namespace cavity = validation::cavity;
 
-// A coarse cavity: off by 4 to 7, 8 to 12 and 9 to 11 %, with the compiler's rounding, to which this flow of few
-// particles answers as to any small change; by less with twice as many (docs/validation.md). The bounds were chosen
-// after those runs.
+// A coarse cavity: off by 4 to 7, 7 to 14 and 7 to 11 %, with the rounding of compilers and pack widths, to which this
+// flow of few particles answers as to any small change; by less with twice as many (docs/validation.md). The bounds were
+// chosen after eight such runs: their mean and three times their scatter.
 TEST_CASE("A lid drives the flow in a cavity", "[validation][fluid]") {
     const auto lines = cavity::drive(24, 10);
     CAPTURE(lines.least_u, lines.greatest_v, lines.least_v, lines.lightest, lines.densest);
     CHECK(lines.least_u == Approx(-0.21090).epsilon(0.10));
-    CHECK(lines.greatest_v == Approx(0.17527).epsilon(0.14));
+    CHECK(lines.greatest_v == Approx(0.17527).epsilon(0.18));
     CHECK(lines.least_v == Approx(-0.24533).epsilon(0.14));
     CHECK(lines.lightest > 0.96); // sound at ten times the lid's speed: 1 % in smooth flow, more in the lid's corners
     CHECK(lines.densest < 1.04);
