@@ -38,6 +38,7 @@
 #include <imbibe/monitor/displacement.hpp>
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/monitor/guard.hpp>
+#include <imbibe/monitor/narrowest_passage.hpp>
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/recover.hpp>
 #include <imbibe/output/snapshots.hpp>

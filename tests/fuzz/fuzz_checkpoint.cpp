@@ -3,12 +3,14 @@
 //
 //   cmake --preset fuzz && cmake --build --preset fuzz && build-fuzz/tests/fuzz_checkpoint -max_total_time=60
 //
-// Bytes as they are hardly ever get past the checksum. So the first one says what is put around the others: nothing, a
-// right checksum behind them, or the right head before them and a right checksum behind.
+// Bytes as they are hardly ever get past the checksum. So the first one says what is made of the others: nothing; a right
+// checksum is put behind them; the right head before them and a right checksum behind; or a whole checkpoint is changed
+// where they say, and gets a right checksum. What was restored takes a step.
 #include <imbibe/imbibe.hpp>
 
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 namespace {
 
@@ -29,6 +31,17 @@ Scene make() {
     return scene;
 }
 
+/// `whole` without its checksum, after changes of four bytes each: a place, and what its byte is xored with.
+std::string changed(std::string whole, const std::string& changes) {
+    whole.resize(whole.size() - sizeof(std::uint64_t));
+    for (std::size_t k = 0; k + 4 <= changes.size(); k += 4) {
+        std::uint32_t change = 0;
+        std::memcpy(&change, changes.data() + k, 4);
+        whole[(change >> 8) % whole.size()] ^= static_cast<char>(change & 0xff);
+    }
+    return whole;
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -37,18 +50,25 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         Scene scene = original;
         return sph::detail::checkpoint_head(scene);
     }();
+    static const std::string whole = [] {
+        Scene scene = original;
+        return sph::detail::checkpoint_bytes(scene);
+    }();
     if (size == 0)
         return 0;
     std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
-    if (data[0] % 3 == 2)
+    if (data[0] % 4 == 2)
         bytes = head + bytes;
-    if (data[0] % 3 > 0) {
+    if (data[0] % 4 == 3)
+        bytes = changed(whole, bytes);
+    if (data[0] % 4 > 0) {
         const std::uint64_t sum = sph::detail::checksum(bytes);
         bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
     }
     Scene scene = original;
     try {
         sph::detail::restore(scene, bytes, "input");
+        scene.step();
     } catch (const sph::Error&) {
         return 0;
     }

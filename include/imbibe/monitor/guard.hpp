@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/monitor/energy.hpp>
+#include <imbibe/monitor/narrowest_passage.hpp>
 
 #include <limits>
 #include <optional>
@@ -17,6 +18,7 @@ enum class Cause {
     wrong_density, ///< a density is out of bounds
     left_domain,   ///< a particle is outside the domain
     inside_wall,   ///< a particle is among those of a wall, on its way through
+    narrow_pore,   ///< a pore has fewer particles across than asked for
     energy         ///< energy has come from nowhere
 };
 
@@ -58,6 +60,12 @@ struct GuardSettings {
     /// have put in. Infinite: not looked at, as for scenes that
     /// start under stress or that something drives. Not looked at either while a wall moves.
     double energy = 0.2;
+    /// The fewest particles of a fluid that are to fit across the pores of a solid or wall that it is coupled to, as they
+    /// lie now: below 2 no more than single ones pass, whatever the physics says. 0: not looked at, as where pores are
+    /// meant to be closed. See narrowest_passage().
+    double least_pore = 0;
+    /// Steps between two looks at the pores, which change slowly and take two searches.
+    int pore_interval = 200;
 
     /// Throws Error for a number out of range.
     void check() const {
@@ -71,6 +79,9 @@ struct GuardSettings {
         require(inside_wall > 0, "Guard: inside_wall = ", inside_wall,
                 " (a share); it must be above 0, usually 0.92 in 2D and 0.96 in 3D");
         require(energy > 0, "Guard: energy = ", energy, " (a share); it must be above 0");
+        require(least_pore >= 0 && std::isfinite(least_pore), "Guard: least_pore = ", least_pore,
+                " particles; it must be 0 (not looked at) or more, usually 2");
+        require(pore_interval >= 1, "Guard: pore_interval = ", pore_interval, " steps; it must be at least 1");
     }
 
 private:
@@ -92,15 +103,28 @@ public:
     /// The observer: a glance after every step, a look after every `interval` steps.
     template <class Scene>
     void operator()(const Scene& scene) {
+        if (settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0)
+            look_at_pores(scene);
         if (scene.steps() % settings_.interval == 0)
-            look(scene);
+            look_at_particles(scene);
         else
             glance(scene);
     }
-    /// Looks at all particles now, for example before a checkpoint is written, so that it is a good one.
+    /// Looks at everything now, for example before a checkpoint is written, so that it is a good one.
     /// @throws Diverged
     template <class Scene>
     void look(const Scene& scene) {
+        if (settings_.least_pore > 0)
+            look_at_pores(scene);
+        look_at_particles(scene);
+    }
+
+    /// Forgets the energies it has seen, as after a return to an earlier state.
+    void start_anew() { start_.reset(); }
+
+private:
+    template <class Scene>
+    void look_at_particles(const Scene& scene) {
         static_assert(Scene::dimension == dim, "imbibe: a Guard is of its scene's dimension");
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
             look_at(scene, scene[PhaseHandle<P>{}], detail::type_name<P>());
@@ -110,10 +134,6 @@ public:
         glance(scene);
     }
 
-    /// Forgets the energies it has seen, as after a return to an earlier state.
-    void start_anew() { start_.reset(); }
-
-private:
     GuardSettings<dim> settings_;
     struct Balance {
         double energy, kinetic, potential;
@@ -213,6 +233,41 @@ private:
         }
     }
 
+    template <class Scene>
+    void look_at_pores(const Scene& scene) const {
+        scene.engine().for_each_link([&]<class Link>(const Link&) {
+            using A = typename Link::A;
+            using B = typename Link::B;
+            if constexpr (is_fluid<A> && !is_fluid<B> && !Link::reference)
+                look_at_pores_of(scene, PhaseHandle<B>{}, scene[PhaseHandle<A>{}].material().spacing,
+                                 detail::type_name<A>());
+        });
+    }
+    template <class P>
+    static constexpr bool is_fluid = P::moves && !requires(P p) { p.shear_modulus; };
+
+    template <class Scene, class P>
+    void look_at_pores_of(const Scene& scene, PhaseHandle<P> handle, double particle, const std::string& fluid) const {
+        const auto body = scene[handle];
+        if (body.size() == 0 || !(particle > 0))
+            return;
+        const auto& set = scene.settings();
+        const auto found = narrowest_passage<dim, typename Scene::Real>(
+            body[position], body.material().spacing, settings_.least_pore * particle,
+            {set.periodic_lower, set.periodic_length}, set.threads);
+        if (!found)
+            return;
+        std::vector<double> where;
+        for (int d = 0; d < dim; ++d)
+            where.push_back(found->middle[d] + set.origin[static_cast<std::size_t>(d)]);
+        throw Diverged(text("a pore of phase ", detail::type_name<P>(), " at (", listed(where), ") m is ",
+                            found->width, " m wide, ", found->width / particle, " particles of ", fluid,
+                            ", where least_pore asks for ", settings_.least_pore, "; ", moment(scene), fluid,
+                            " needs a spacing of at most ", found->width / settings_.least_pore,
+                            " m to pass, or the body wider pores"),
+                       Cause::narrow_pore, detail::type_name<P>(), where, scene.time(), scene.steps());
+    }
+
     // Internal forces turn kinetic and potential energy into heat or tension and back, but cannot raise their sum above
     // what it was at a stress-free start.
     template <class Scene>
@@ -271,15 +326,18 @@ private:
     [[noreturn]] void stop(const Scene& scene, Cause cause, const std::string& name, const View& phase, int i,
                            const std::string& what) const {
         std::vector<double> where;
-        std::string place;
-        for (int d = 0; d < dim; ++d) {
+        for (int d = 0; d < dim; ++d)
             where.push_back(static_cast<double>(phase[position](i, d)) +
                             scene.settings().origin[static_cast<std::size_t>(d)]);
-            place += text(d == 0 ? "" : ", ", where.back());
-        }
-        throw Diverged(text("particle ", phase.ids()[static_cast<std::size_t>(i)], " of phase ", name, " at (", place,
-                            ") m ", what, "; ", moment(scene), reason(scene)),
+        throw Diverged(text("particle ", phase.ids()[static_cast<std::size_t>(i)], " of phase ", name, " at (",
+                            listed(where), ") m ", what, "; ", moment(scene), reason(scene)),
                        cause, name, where, scene.time(), scene.steps());
+    }
+    static std::string listed(const std::vector<double>& numbers) {
+        std::string all;
+        for (const double x : numbers)
+            all += text(all.empty() ? "" : ", ", x);
+        return all;
     }
     template <class Scene>
     static std::string moment(const Scene& scene) {

@@ -132,6 +132,21 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
     }
 }
 
+/// A whole checkpoint, from its title to its checksum.
+template <class Scene>
+std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
+    CheckpointWriter state;
+    state.bytes = checkpoint_head(scene);
+    state(std::uint64_t{notes.size()});
+    for (const auto& [name, value] : notes) {
+        state(name);
+        state(value);
+    }
+    scene.archive(state);
+    state(checksum(state.bytes));
+    return std::move(state.bytes);
+}
+
 } // namespace detail
 
 /// Writes the state of a scene to `path`: every field of every particle, their order and numbers, time, step count and
@@ -151,18 +166,10 @@ template <class Scene>
 void write_checkpoint(Scene& scene, const std::filesystem::path& path, const CheckpointNotes& notes = {}) {
     scene.prepare();
     scene.require_finite("nothing is written to " + path.string() + ", what is there stays: ");
-    detail::CheckpointWriter state;
-    state.bytes = detail::checkpoint_head(scene);
-    state(std::uint64_t{notes.size()});
-    for (const auto& [name, value] : notes) {
-        state(name);
-        state(value);
-    }
-    scene.archive(state);
-    state(detail::checksum(state.bytes));
+    const std::string bytes = detail::checkpoint_bytes(scene, notes);
 
     AtomicFile file(path);
-    file.write(state.bytes.data(), state.bytes.size());
+    file.write(bytes.data(), bytes.size());
     file.commit_to_disk([&] {
         std::error_code ignored; // where there was none before, or no second name is possible
         std::filesystem::remove(path.string() + ".previous", ignored);

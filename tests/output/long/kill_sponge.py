@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Kills the sponge at random moments until it has died a hundred times, and compares what the restarted runs leave with
-what one uninterrupted run leaves: the same bytes in the table, the last checkpoint and every file for ParaView.
+what one uninterrupted run leaves: the same bytes in the table, the last checkpoint and every file for ParaView. In turn
+for the sound composition in float, the same in double, and the paper's composition; runs that are killed compute with
+two threads, the one that they are compared with with one.
 
     python3 tests/output/long/kill_sponge.py build/sponge [--kills 100] [--seed 1]
 
@@ -19,13 +21,17 @@ import tempfile
 import time
 from pathlib import Path
 
-CASE = ["--quick", "--end", "0.05", "--snapshots", "5", "--threads", "1"]
+CASES = {"sound, float": ["--composition", "sound", "--precision", "float"],
+         "sound, double": ["--composition", "sound", "--precision", "double"],
+         "paper, float": ["--composition", "paper", "--precision", "float"]}
+RUN = ["--quick", "--end", "0.05", "--snapshots", "5"]
 # Without its tools the sponge draws no pictures, which would take longer than most of these runs live.
 SURROUNDINGS = {**os.environ, "IMBIBE_TOOLS": "none"}
 
 
-def command(sponge, folder, *more):
-    return [sponge, *CASE, "--output", str(folder), "--checkpoints", "0.3", *more]
+def command(sponge, folder, *more, threads=2):
+    """`sponge`: the program and its case."""
+    return [*sponge, *RUN, "--threads", str(threads), "--output", str(folder), "--checkpoints", "0.3", *more]
 
 
 def fail(words):
@@ -110,6 +116,34 @@ def interrupt(sponge, folder, seconds):
     return whole
 
 
+def try_case(sponge, kills_asked, chance, scratch):
+    """Kills, runs and starts without a checkpoint of one case."""
+    whole = scratch / "whole"
+    began = time.monotonic()
+    subprocess.run(command(sponge, whole, threads=1), check=True, stdout=subprocess.DEVNULL, env=SURROUNDINGS)
+    seconds = time.monotonic() - began
+    expected = results(whole)
+    if len(expected) < 10:
+        fail(f"the uninterrupted run left only {sorted(expected)}")
+
+    stopped = interrupt(sponge, scratch / "stopped", seconds)
+    expect_same(stopped, expected, "Ctrl-C")
+    expect_same(scratch / "stopped", expected, "damage to the last checkpoint")
+    print("after Ctrl-C, and from the checkpoint before the last: the same bytes", flush=True)
+
+    killed = runs = fresh_starts = 0
+    while killed < kills_asked:
+        folder = scratch / f"killed_{runs}"
+        folder.mkdir()
+        kills, fresh = run_with_kills(sponge, folder, chance, kills_asked - killed, seconds / 6)
+        expect_same(folder, expected, f"{kills} kills")
+        shutil.rmtree(folder)
+        killed, runs, fresh_starts = killed + kills, runs + 1, fresh_starts + fresh
+        print(f"run {runs}: {kills} kills, {fresh} starts without a checkpoint, the same bytes in "
+              f"{len(expected)} files", flush=True)
+    return killed, runs, fresh_starts
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sponge")
@@ -118,32 +152,15 @@ def main():
     options = parser.parse_args()
     chance = random.Random(options.seed)
 
-    with tempfile.TemporaryDirectory() as scratch:
-        whole = Path(scratch) / "whole"
-        began = time.monotonic()
-        subprocess.run(command(options.sponge, whole), check=True, stdout=subprocess.DEVNULL, env=SURROUNDINGS)
-        seconds = time.monotonic() - began
-        expected = results(whole)
-        if len(expected) < 10:
-            fail(f"the uninterrupted run left only {sorted(expected)}")
-
-        stopped = interrupt(options.sponge, Path(scratch) / "stopped", seconds)
-        expect_same(stopped, expected, "Ctrl-C")
-        expect_same(Path(scratch) / "stopped", expected, "damage to the last checkpoint")
-        print("after Ctrl-C, and from the checkpoint before the last: the same bytes", flush=True)
-
-        killed = runs = fresh_starts = 0
-        while killed < options.kills:
-            folder = Path(scratch) / f"killed_{runs}"
-            folder.mkdir()
-            kills, fresh = run_with_kills(options.sponge, folder, chance, options.kills - killed, seconds / 6)
-            expect_same(folder, expected, f"{kills} kills")
-            shutil.rmtree(folder)
-            killed, runs, fresh_starts = killed + kills, runs + 1, fresh_starts + fresh
-            print(f"run {runs}: {kills} kills, {fresh} starts without a checkpoint, the same bytes in "
-                  f"{len(expected)} files", flush=True)
+    killed = runs = fresh_starts = 0
+    for number, (name, case) in enumerate(CASES.items()):
+        print(name, flush=True)
+        left = -(-(options.kills - killed) // (len(CASES) - number))
+        with tempfile.TemporaryDirectory() as scratch:
+            counts = try_case([options.sponge, *case], left, chance, Path(scratch))
+        killed, runs, fresh_starts = killed + counts[0], runs + counts[1], fresh_starts + counts[2]
     print(f"{killed} kills in {runs} runs, {fresh_starts} starts without a checkpoint: every run left the same bytes as "
-          "the uninterrupted one")
+          "the uninterrupted one of its case")
 
 
 if __name__ == "__main__":
