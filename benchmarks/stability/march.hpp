@@ -110,6 +110,8 @@ inline const char* name_of(sph::Cause cause) {
         return "left the domain";
     case sph::Cause::inside_wall:
         return "inside a wall";
+    case sph::Cause::narrow_pore:
+        return "narrow pore";
     case sph::Cause::energy:
         return "energy from nowhere";
     }
