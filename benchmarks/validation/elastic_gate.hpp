@@ -19,12 +19,13 @@ namespace validation::elastic_gate {
 using namespace water_on_rubber;
 
 struct Way {
-    sph::Point<2> greatest{0, 0}, last{0, 0}; ///< of the lower end, when it is farthest aside and at 0.4 s, m
+    sph::Point<2> greatest{0, 0}, last{0, 0}; ///< of the lower end, when it is farthest aside and at last, m
     double time = 0;                          ///< at which it is farthest aside, s
 };
 
 /// @param across particles over the thickness of the gate
-inline Way open(int across, double young, double poisson) {
+/// @param end when `last` is, s
+inline Way open(int across, double young, double poisson, double end = 0.4) {
     const double width = 0.1, depth = 0.14, thickness = 5e-3, height = 79e-3, length = 0.4, dx = thickness / across;
     const double root = dx / 2 + height + 3 * dx; // held, above what is free to move
     Scene scene = scene_of(dx);
@@ -40,7 +41,7 @@ inline Way open(int across, double young, double poisson) {
 
     Way way;
     const sph::DisplacementProbe<2> probe(scene[gate]);
-    scene.run_until(0.4, [&](Scene& s) {
+    scene.run_until(end, [&](Scene& s) {
         way.last = probe.mean_vector(s[gate], [&](const auto& x) { return x[1] < 1.5 * dx; });
         if (way.last[0] > way.greatest[0]) {
             way.greatest = way.last;

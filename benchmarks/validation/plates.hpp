@@ -78,7 +78,7 @@ std::array<double, 5> middle_velocities(const Drive& drive, int across, double s
 inline std::vector<Measured> measure(const Drive& drive, int across) {
     const auto middle = middle_velocities<sph::QuinticSpline>(drive, across, 3);
     std::vector<Measured> found;
-    for (std::size_t k = 1; k < times.size(); ++k)
+    for (std::size_t k = 0; k < times.size(); ++k)
         found.push_back(
             {sph::text("velocity in the middle at ", times[k], " s, m/s"), "0.7 % at 50", middle[k], drive.middle[k]});
     return found;
