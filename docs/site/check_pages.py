@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Checks the pages (README.md, CONTRIBUTING.md, CHANGELOG.md, docs/*.md) against what they speak of:
+"""Checks the pages (README.md, CONTRIBUTING.md, CHANGELOG.md, docs/*.md) and the comments of the headers, which are pages
+too, against what they speak of:
 
 - every block of C++ is cut from a file that is compiled. The line before it names the file:
       <!-- examples/dam_break.cpp -->                                        lines that stand there one after the other
       <!-- examples/dam_break.cpp: begin. This is the text of that file. --> all of it, up to <!-- ...: end -->
+  (in a header it may stand further to the left)
 - every line of CMake stands, for other names, in a file of tests/consume that the line before the block names likewise;
 - every program and script that a block of commands calls is there, and so is every target it builds;
 - every term has its place in docs/policies.md;
@@ -51,6 +53,28 @@ def faults_of_code(code, before, after):
             yield f"shows lines that {cut[1]} does not have"
     else:
         yield "shows C++ and does not say from which compiled file"
+
+
+def faults_of_header(path):
+    """What is wrong with the blocks of C++ in the comments of a header: their lines, and how many there are."""
+    comments = re.sub(r"^(?!///).*$", "", text_of(path).replace("    ///", "///"), flags=re.MULTILINE)
+    comments = re.sub(r"^/// ?", "", comments, flags=re.MULTILINE)
+    faults, blocks = [], 0
+    for block in FENCE.finditer(comments):
+        blocks += 1
+        cut = CUT.search(comments[:block.start()])
+        if not cut or not is_compiled(cut[1]):
+            wrong = "shows C++ and does not say from which compiled file"
+        elif flush_left(block[2]) not in flush_left(text_of(cut[1])):
+            wrong = f"shows lines that {cut[1]} does not have"
+        else:
+            continue
+        faults.append(f"{path}:{comments.count(chr(10), 0, block.start()) + 1}: {wrong}")
+    return faults, blocks
+
+
+def flush_left(code):
+    return "\n" + re.sub(r"^ +", "", code, flags=re.MULTILINE)
 
 
 def stand_ins():
@@ -165,6 +189,9 @@ def main():
             elif block[1] == "sh":
                 found += [(line, it) for it in faults_of_commands(block[2], known)]
         faults += [f"{page}:{line}: {what}" if line else f"{page}: {what}" for line, what in found]
+    for path in sorted(glob.glob(os.path.join(HEADERS, "**", "*.hpp"), recursive=True)):
+        wrong, more = faults_of_header(os.path.relpath(path, ROOT))
+        faults, blocks = faults + wrong, blocks + more
     print("\n".join(faults) or f"{len(pages)} pages, {blocks} blocks of C++")
     return 1 if faults or not blocks else 0
 

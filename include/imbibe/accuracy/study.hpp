@@ -99,16 +99,19 @@ inline void mark_front(std::vector<Row>& rows) {
 }
 
 /// A case with a reference, run over chosen axes.
+/// <!-- examples/guides/own_study.cpp -->
 /// ```
 /// accuracy::Study study;
-/// study.axis("spacing", {"0.1", "0.05"}).axis("kernel", {"cubic spline", "Wendland C2"});
-/// const auto rows = study.run([](const accuracy::Choices& choose) -> accuracy::Outcome {
-///     const double dx = choose.number("spacing");
-///     ...
-///     return {std::abs(computed / exact - 1), accuracy::pair_evaluations(scene)};
+/// study.axis("spacing", {"0.05", "0.025"})
+///     .axis("kernel", {"Wendland C2", "cubic spline"})
+///     .axis("support", {"2.6", "2", "3.2"});
+/// const auto rows = study.run([](const accuracy::Choices& choose) {
+///     return choose["kernel"] == "cubic spline" ? shear_wave<sph::CubicSpline>(choose)
+///                                               : shear_wave<sph::WendlandC2>(choose);
 /// });
-/// accuracy::write(rows, "study.csv");          // tools/plot_accuracy.py draws it
+/// accuracy::write(rows, "shear_wave.csv"); // python3 tools/plot_accuracy.py shear_wave.csv -o shear_wave.png
 /// ```
+/// `shear_wave` makes a scene of what it is given to choose from, runs it, and returns an Outcome.
 class Study {
 public:
     /// Adds an axis with its choices; the first is the one from which `one_at_a_time` departs.

@@ -13,9 +13,11 @@ namespace imbibe {
 enum class Rank { scalar, vector, symmetric_tensor, tensor };
 
 /// Base of every field. A field is an empty struct with `name` and `unit`, and one constant of it:
+/// <!-- examples/guides/heat.cpp -->
 /// ```
-/// struct Temperature : Field<Rank::scalar> {
+/// struct Temperature : sph::Field<sph::Rank::scalar> {
 ///     static constexpr std::string_view name = "temperature", unit = "K";
+///     static constexpr std::string_view rate_name = "temperature_rate", rate_unit = "K/s";
 /// };
 /// inline constexpr Temperature temperature{};
 /// ```

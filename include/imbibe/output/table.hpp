@@ -30,9 +30,11 @@ using Cell = std::variant<double, std::string>;
 
 /// A CSV file that grows by one row at a time. The first line names the columns as `name [unit]`; every row is on disk
 /// when row() returns, and numbers have as many digits as it takes to read the same double back.
+/// <!-- tests/output/test_pictures.cpp -->
 /// ```
-/// Table table("out/sponge.csv", {{"time", "s"}, {"mean displacement", "m"}});
-/// table.row({0.005, 4.3e-4});
+/// imbibe::Table table(folder / "run.csv", {{"time", "s"}, {"displacement", "m"}});
+/// for (int i = 0; i < 20; ++i)
+///     table.row({i * 0.01, i * i * 1e-5});
 /// ```
 class Table {
 public:

@@ -125,10 +125,11 @@ inline std::string_view byte_order() {
 
 /// One snapshot of one set of particles. Arrays are added as views; write() puts them into a file without a copy of the
 /// whole.
+/// <!-- tests/output/test_vtk.cpp -->
 /// ```
-/// VtkFile file(n, VtkArray::vector("position", "m", 3, x, stride));
-/// file.add(VtkArray::scalar("pressure", "Pa", p)).time(0.05).constant("spacing", 8e-4);
-/// file.write("out/water_000010.vtp");
+/// const VtkFile file(n, VtkArray::vector("position", "m", 3, x.data(), n));
+/// file.write(folder / "double.vtp");
+/// file.write(folder / "single.vtp", VtkPrecision::single);
 /// ```
 class VtkFile {
 public:
