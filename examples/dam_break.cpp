@@ -1,5 +1,7 @@
-// A column of water collapses in a tank: build/dam_break, then open out-dam-break/water.pvd in ParaView.
-// In two dimensions, beside the experiment of Koshizuka and Oka (1996): dam_break_2d.cpp.
+// A column of water collapses in a tank. A scene of our own; dam_break_2d.cpp is that of an experiment.
+//
+//   build/dam_break                     then open out-dam-break/water.pvd in ParaView
+//   python3 tools/render_plane.py out-dam-break --slice 140 160 --times 200 400 600 800 -o dam_break.png
 #include <imbibe/imbibe.hpp>
 namespace sph = imbibe;
 using K = sph::WendlandC2;

@@ -1,7 +1,7 @@
 // Water falls onto an elastic sponge, presses it down, and drains through its pores.
 //
 // The first case of "A Particle Based Solver for the Three Dimensional Fluid Flow through an Elastic Porous Medium" at
-// its full size: 68,231 water particles, about 41,400 sponge particles, 0.5 s.
+// its full size: 68,231 water particles, about 41,400 sponge particles, 0.5 s. Curves and pictures: out-sponge/.
 //
 //   build/sponge                                   the paper's case, in the composition that converges
 //   build/sponge --composition paper               the same with the method of the paper, mended

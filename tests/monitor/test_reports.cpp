@@ -13,6 +13,7 @@ using K = sph::WendlandC2;
 struct Water : sph::Fluid<sph::Tait<7>, sph::Continuity<K>, sph::SymmetricPressure<K>, sph::MonaghanViscosity<K>> {};
 struct Tank : sph::Wall<> {};
 struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>> {};
+struct Calm : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 using Scene = sph::Solver<2, float, sph::SymplecticEuler, Water, Tank, Sides>;
 
 Scene dam() {
@@ -63,6 +64,20 @@ TEST_CASE("The report of a scene names effects, fields, bytes, sweeps, neighbour
         std::find_if(after.begin(), after.end(), [](const auto& limit) { return limit.reason == "acceleration"; });
     REQUIRE(acceleration != after.end());
     CHECK(acceleration->seconds == Approx(std::sqrt(0.02 / greatest)).epsilon(1e-6)); // sqrt(spacing / |a|)
+}
+
+TEST_CASE("The report names nothing that is off", "[reports]") {
+    sph::Solver<2, float, sph::SymplecticEuler, Calm> scene({.support_radius = 0.052, .threads = 1});
+    scene.add(Calm{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, 0}, {0.2, 0.2}}, 0.02), 0.02);
+    const std::string report = sph::describe(scene);
+    says(report, "effects: LinearState, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>");
+    for (const char* off : {"iscosity", "viscous", "stress", "deformation", "reference", "acoustic", "normal", "Wall",
+                            "Into<", "of Tank", "within it", "repulsion", "Warning"}) {
+        INFO(off << " in\n" << report);
+        CHECK(report.find(off) == std::string::npos);
+    }
+    Scene viscous = dam();
+    says(sph::describe(viscous), "iscosity"); // it is seen where it is on
 }
 
 TEST_CASE("The report says what the first step will be", "[reports]") {
