@@ -4,6 +4,8 @@
 //   build-benchmark/benchmarks/accuracy_cost taylor-green -o taylor-green.csv     vortices that decay, Re = 100
 //   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
 //   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
+//   build-benchmark/benchmarks/accuracy_cost poiseuille --axis "cfl=0.1;0.4" --axis "method=float" --combine
+//                                                              these choices in place of the case's, in all combinations
 //
 // tools/accuracy_instructions.py adds the number of instructions of each run to such a table.
 //
@@ -16,6 +18,23 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <sstream>
+
+namespace {
+
+/// Takes over "NAME=ONE;ANOTHER".
+void replace(cost::accuracy::Study& study, const std::string& axis) {
+    const auto equals = axis.find('=');
+    imbibe::require(equals != std::string::npos, "--axis \"", axis,
+                    "\": it must be a name, =, and choices with ; between them, as in --axis \"support=2;2.6\"");
+    std::vector<std::string> choices;
+    std::istringstream words(axis.substr(equals + 1));
+    for (std::string word; std::getline(words, word, ';');)
+        choices.push_back(word);
+    study.instead(axis.substr(0, equals), choices);
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
     using cost::Rows;
@@ -25,7 +44,8 @@ int main(int argc, char** argv) {
         {"plate", cost::plate},               {"soft-plate", cost::soft_plate},
         {"sponge", cost::sponge}};
     std::string name, output = "accuracy.csv";
-    bool quick = false;
+    std::vector<std::string> axes;
+    bool quick = false, combine = false;
     std::optional<std::size_t> row_alone;
     CLI::App app{"What accuracy costs in time: a scene with a reference over spacings, schemes, supports and steps."};
     std::vector<std::string> names;
@@ -34,12 +54,17 @@ int main(int argc, char** argv) {
     app.add_option("case", name, "which scene")->required()->check(CLI::IsMember(names));
     app.add_option("-o,--output", output, "the table to write")->capture_default_str();
     app.add_flag("--quick", quick, "the coarsest spacings only");
+    app.add_option("--axis", axes, "choices in place of those of the case: \"NAME=ONE;ANOTHER\"; once for each axis")
+        ->allow_extra_args(false);
+    app.add_flag("--combine", combine, "every combination, not one choice at a time");
     app.add_option("--row", row_alone, "this row of the table alone, counted from 0, without repetitions");
     CLI11_PARSE(app, argc, argv);
 
     cost::accuracy::Study study;
     if (row_alone)
         study.only(*row_alone);
+    if (combine)
+        study.combine();
     study.progress([](const cost::accuracy::Choices& choices, std::size_t done, std::size_t of) {
         std::printf("%3zu of %zu:", done + 1, of);
         for (const auto& [axis, value] : choices.all())
@@ -49,6 +74,8 @@ int main(int argc, char** argv) {
     });
     Rows rows;
     try {
+        for (const std::string& axis : axes)
+            replace(study, axis);
         rows = cases.at(name)(study, quick);
         cost::accuracy::write(rows, output);
     } catch (const imbibe::Error& error) {

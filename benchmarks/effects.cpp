@@ -54,6 +54,7 @@ struct PlateHourglass : PlateWith<HourglassControl<K>> {};
 struct PlateViscosity : PlateWith<TotalLagrangianViscosity<K>> {};
 struct PlateClamped : PlateWith<Clamped> {};
 struct PlateCauchy : PlateWith<CauchyStress> {};
+struct PlateAveraged : PlateWith<TimeAveragedMotion> {};
 struct PlateNeoHookean : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>> {};
 struct PlateVolumetric
     : Solid<ReferenceCorrection<K>, DeformationGradient<K>, VolumetricDeviatoric<>, TotalLagrangianForce<K>> {};
@@ -199,6 +200,7 @@ Cases all_cases() {
     add<PlateViscosity>(cases, "`TotalLagrangianViscosity`", "damps what rings");
     add<PlateClamped>(cases, "`Clamped`", "holds some of the particles where they are");
     add<PlateCauchy>(cases, "`CauchyStress`", "the stress as others write it, for output");
+    add<PlateAveraged>(cases, "`TimeAveragedMotion`", "a stiff solid that `Subcycled` steps by itself");
     add<PlateNeoHookean>(cases, "`NeoHookean` in place of `StVenantKirchhoff`", "large strains, above all compression");
     add<PlatePairwise>(cases, "`PairwiseShearForce` in place of law and force",
                        "solids that are hit, twisted or bent hard");

@@ -12,7 +12,7 @@ namespace cost {
 namespace {
 
 using validation::plates::gap, validation::plates::nu;
-using validation::plates::Oil, validation::plates::OnPlates, validation::plates::Plates;
+using validation::plates::OnPlates, validation::plates::Plates;
 
 /// The series solution of the velocity at height y and time t, m/s.
 double plate_flow(double y, double t) {
@@ -25,18 +25,20 @@ double plate_flow(double y, double t) {
 }
 
 /// The error of the velocity at t = 0.1125 s, root mean square, as a share of the exact one's.
-template <class K, class Real = double, class Integrator = sph::SymplecticEuler>
+template <class K, class Real = double, class Integrator = sph::SymplecticEuler,
+          class Viscosity = sph::MorrisViscosity<K>>
 accuracy::Outcome plates(const accuracy::Choices& choose) {
+    using Oil = validation::plates::Oil<K, Viscosity>;
     constexpr double end = 0.1125;
     const double spacing = gap / choose.number("across"), length = 8 * spacing, H = choose.number("support") * spacing;
-    sph::Solver<2, Real, Integrator, Oil<K>, Plates, OnPlates<K>> scene(
+    sph::Solver<2, Real, Integrator, Oil, Plates, OnPlates<K, Oil>> scene(
         {.gravity = {validation::plates::poiseuille.force, 0},
          .support_radius = H,
          .cfl = choose.number("cfl"),
          .periodic_length = {length, 0},
          .threads = 1});
     const sph::Box<2> between{{0, 0}, {length, gap}};
-    const auto oil = scene.add(Oil<K>{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1000 * nu}},
+    const auto oil = scene.add(Oil{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1000 * nu}},
                                sph::fill(between, spacing), spacing);
     scene.add(Plates{{.density = 1000}},
               sph::tank(between, spacing, static_cast<int>(std::ceil(H / spacing)), sph::Sides::x), spacing);
@@ -51,12 +53,14 @@ accuracy::Outcome plates(const accuracy::Choices& choose) {
     return {std::sqrt(error2 / norm2), accuracy::pair_evaluations(scene)};
 }
 
+using C2 = sph::WendlandC2;
 const Methods<> methods("method",
-                        {{"Wendland C2", plates<sph::WendlandC2>},
+                        {{"Wendland C2", plates<C2>},
                          {"Wendland C4", plates<sph::WendlandC4>},
                          {"quintic spline", plates<sph::QuinticSpline>},
-                         {"float", plates<sph::WendlandC2, float>},
-                         {"predictor-corrector", plates<sph::WendlandC2, double, sph::PredictorCorrector>}});
+                         {"Cleary's viscosity", plates<C2, double, sph::SymplecticEuler, sph::ClearyViscosity<C2>>},
+                         {"float", plates<C2, float>},
+                         {"predictor-corrector", plates<C2, double, sph::PredictorCorrector>}});
 
 } // namespace
 

@@ -18,13 +18,14 @@
 
 namespace validation::plates {
 
-template <class K>
-struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
+template <class K, class Viscosity = sph::MorrisViscosity<K>>
+struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, Viscosity> {};
 struct Plates : sph::Wall<> {};
-template <class K>
-struct OnPlates : sph::Coupling<Oil<K>, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>,
-                                sph::VolumePressure<K>, sph::Into<Oil<K>, sph::VolumeContinuity<K>>,
-                                sph::Into<Plates, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
+template <class K, class Oil = Oil<K>>
+struct OnPlates
+    : sph::Coupling<Oil, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                    sph::Into<Oil, sph::VolumeContinuity<K>>, sph::Into<Plates, sph::NoSlipVelocity<K>>,
+                    sph::NoSlipViscosity<K>> {};
 
 constexpr double gap = 1e-3, nu = 1e-6;
 constexpr std::array<double, 5> times{0.0225, 0.045, 0.1125, 0.225, 1};

@@ -8,7 +8,7 @@ too, against what they speak of:
   (in a header it may stand further to the left)
 - every line of CMake stands, for other names, in a file of tests/consume that the line before the block names likewise;
 - every program and script that a block of commands calls is there, and so is every target it builds;
-- every term has its place in docs/policies.md;
+- every term has its place in docs/policies.md, and its cost in docs/effects.md;
 - every link to a file, a page or a heading has where to go.
 
     python3 docs/site/check_pages.py             says what is wrong, one line each
@@ -175,7 +175,7 @@ def main():
             with open(os.path.join(ROOT, page), "w") as file:
                 file.write(text)
         found = [(0, it) for it in faults_of_links(text, page)]
-        if page == os.path.join("docs", "policies.md"):
+        if page in (os.path.join("docs", "policies.md"), os.path.join("docs", "effects.md")):
             found += [(0, it) for it in faults_of_the_list(text)]
         if len(re.findall(r"^```", text, re.MULTILINE)) != 2 * len(FENCE.findall(text)):
             found.append((0, "has a block of code that does not end"))

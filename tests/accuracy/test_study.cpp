@@ -107,6 +107,27 @@ TEST_CASE("A study runs one of its rows alone, and that once", "[accuracy]") {
                         contains("row 4 alone was asked for; the study has 4"));
 }
 
+TEST_CASE("A program's user may choose for a study", "[accuracy]") {
+    const auto seen = [](accuracy::Study study) {
+        study.axis("n", {"1", "2"}).axis("kernel", {"a", "b", "c"});
+        std::vector<std::string> all;
+        study.one_at_a_time([&](const accuracy::Choices& choices) -> accuracy::Outcome {
+            all.push_back(words(choices));
+            return {0};
+        });
+        return all;
+    };
+    using All = std::vector<std::string>;
+    CHECK(seen({}) == All{"1 a ", "2 a ", "1 b ", "1 c "});
+    CHECK(seen(accuracy::Study{}.instead("n", {"5"})) == All{"5 a ", "5 b ", "5 c "});
+    CHECK(seen(accuracy::Study{}.instead("kernel", {"c", "a"}).combine()) == All{"1 c ", "1 a ", "2 c ", "2 a "});
+    REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("kernel", {"d"})),
+                        contains("'kernel' has no choice 'd'; it has 'a', 'b', 'c'"));
+    REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("n", {"many"})), contains("takes numbers, as '1', '2'"));
+    REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("m", {"1"})), contains("no axis 'm'; it has 'n', 'kernel'"));
+    REQUIRE_THROWS_WITH(accuracy::Study{}.instead("m", {}), contains("no choices are given for the axis 'm'"));
+}
+
 TEST_CASE("A study says what is wrong with it", "[accuracy]") {
     accuracy::Study study;
     study.axis("n", {"1", "two"});

@@ -32,11 +32,15 @@ public:
     /// The same as a number. Throws Error if it is none.
     double number(const std::string& axis) const {
         const std::string& word = (*this)[axis];
+        const auto value = number_in(word);
+        require(value.has_value(), "accuracy: '", word, "' on the axis '", axis, "' is not a number");
+        return *value;
+    }
+    /// The number that a word is, if it is one.
+    static std::optional<double> number_in(const std::string& word) {
         double value = 0;
         const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-        require(fault == std::errc{} && end == word.data() + word.size(), "accuracy: '", word, "' on the axis '", axis,
-                "' is not a number");
-        return value;
+        return fault == std::errc{} && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
     }
     /// Which repetition this is, from 0 on: the seed of a jittered start.
     int repetition = 0;
@@ -115,12 +119,30 @@ inline void mark_front(std::vector<Row>& rows) {
 class Study {
 public:
     /// Adds an axis with its choices; the first is the one from which `one_at_a_time` departs.
-    /// @throws Error for an axis without choices or one that is there already
+    /// @throws Error for an axis without choices, one that is there already, or, where `instead` was called for it, a
+    /// choice of that which is not one of words, or no number among numbers
     Study& axis(const std::string& name, const std::vector<std::string>& choices) {
         require(!choices.empty(), "accuracy: the axis '", name, "' has no choices");
         for (const auto& [known, values] : axes_)
             require(known != name, "accuracy: there are two axes '", name, "'");
         axes_.emplace_back(name, choices);
+        for (const auto& [replaced, others] : instead_)
+            if (replaced == name) {
+                check_instead(name, choices, others);
+                axes_.back().second = others;
+            }
+        return *this;
+    }
+    /// On this axis take these choices in place of those it is going to be added with: for a program whose user chooses.
+    /// A run throws Error if the axis never came.
+    Study& instead(const std::string& name, const std::vector<std::string>& choices) {
+        require(!choices.empty(), "accuracy: no choices are given for the axis '", name, "'");
+        instead_.emplace_back(name, choices);
+        return *this;
+    }
+    /// Lets `one_at_a_time` run every combination, as `run` does.
+    Study& combine() {
+        combined_ = true;
         return *this;
     }
     /// Runs every choice so often, with another `Choices::repetition` each time: the error bars, where a case uses it
@@ -153,6 +175,8 @@ public:
     /// combined with each of them (the spacing, usually).
     template <class Case>
     std::vector<Row> one_at_a_time(const Case& what, const std::vector<std::string>& along = {}) const {
+        if (combined_)
+            return run(what);
         const auto is_along = [&](const std::string& name) {
             return std::find(along.begin(), along.end(), name) != along.end();
         };
@@ -172,11 +196,36 @@ public:
     }
 
 private:
-    std::vector<std::pair<std::string, std::vector<std::string>>> axes_;
+    using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
+    Axes axes_, instead_;
+    bool combined_ = false;
     int repetitions_ = 1;
     std::optional<std::size_t> only_;
     std::function<void(const Choices&, std::size_t, std::size_t)> tell_;
 
+    static void check_instead(const std::string& axis, const std::vector<std::string>& known,
+                              const std::vector<std::string>& wanted) {
+        const bool numbers = Choices::number_in(known.front()).has_value();
+        for (const std::string& one : wanted)
+            require(numbers ? Choices::number_in(one).has_value()
+                            : std::find(known.begin(), known.end(), one) != known.end(),
+                    "accuracy: the axis '", axis, "' has no choice '", one, "'; ",
+                    numbers ? "it takes numbers, as " : "it has ", listed(known));
+    }
+    void check_replaced() const {
+        std::vector<std::string> known;
+        for (const auto& [name, choices] : axes_)
+            known.push_back(name);
+        for (const auto& [name, choices] : instead_)
+            require(std::find(known.begin(), known.end(), name) != known.end(), "accuracy: the case has no axis '", name,
+                    "'; it has ", listed(known));
+    }
+    static std::string listed(const std::vector<std::string>& words) {
+        std::string all;
+        for (const std::string& word : words)
+            all += (all.empty() ? "'" : ", '") + word + "'";
+        return all;
+    }
     // Each of `all` with each value of an axis.
     static std::vector<Choices> with_each(const std::vector<Choices>& all, const std::string& axis,
                                           const std::vector<std::string>& values) {
@@ -190,6 +239,7 @@ private:
     }
     template <class Case>
     std::vector<Row> run_all(const std::vector<Choices>& all, const Case& what) const {
+        check_replaced();
         require(!only_ || *only_ < all.size(), "accuracy: row ", only_.value_or(0), " alone was asked for; the study has ",
                 all.size(), ", counted from 0");
         std::vector<Row> rows;
