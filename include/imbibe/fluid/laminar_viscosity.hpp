@@ -57,7 +57,8 @@ struct LaminarViscosity {
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
         const double eta = detail::pair_viscosity(a.material, b.material);
-        return (eta * b[mass] / (a[density] * b[density]) * ab.laplacian(Kernel{})) * (b[velocity] - a[velocity]);
+        // v_a - v_b, which other terms of the sweep have, too
+        return -(eta * b[mass] / (a[density] * b[density]) * ab.laplacian(Kernel{})) * (a[velocity] - b[velocity]);
     }
 
     static constexpr const char* limit_name = "viscosity";

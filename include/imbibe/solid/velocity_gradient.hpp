@@ -20,7 +20,8 @@ struct VelocityGradient {
     using adds = Fields<velocity_gradient>;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        return outer((b[mass] / b[density] * ab.gradient(Kernel{})) * (b[velocity_field] - a[velocity_field]),
+        // v_a - v_b, which other terms of the sweep have, too
+        return outer(-(b[mass] / b[density] * ab.gradient(Kernel{})) * (a[velocity_field] - b[velocity_field]),
                      ab.offset);
     }
 };

@@ -42,7 +42,8 @@ struct Xsph {
         using adds = Fields<relative_mean_velocity>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            return (b[mass] / (0.5 * (a[density] + b[density])) * ab.value(Kernel{})) * (b[velocity] - a[velocity]);
+            // v_a - v_b, which other terms of the sweep have, too
+            return -(b[mass] / (0.5 * (a[density] + b[density])) * ab.value(Kernel{})) * (a[velocity] - b[velocity]);
         }
     };
     struct Smooth {

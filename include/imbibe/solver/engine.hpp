@@ -168,17 +168,20 @@ private:
         // over them, and compute what follows from them for every run.
         const P material = s.material;
         const std::tuple<typename S::B...> others{this->template state<typename S::B>().material...};
+        const std::array<double, sizeof...(S)> supports{std::get<k>(sources).support...};
+        const AllParts own_parts = parts;
+        const Vector<double, dim> gravity_now = this->gravity;
         for (int i = begin; i < end; ++i) {
             Sums<Adds, dim, T> sums;
             for (T& t : sums.total)
                 t = T(0);
             OwnValues<OwnFields, dim, T> own;
             own.template load<FieldsOf<P>>(s.data() + i, s.stride());
-            const OwnView<P, OwnFields, dim, T> a{own, material, this->gravity, step_length};
+            const OwnView<P, OwnFields, dim, T> a{own, material, gravity_now, step_length};
             (gather<S, FieldsOf<typename S::B>>(
                  Filter<NodesFrom<S>::template Keep, Nodes>{},
-                 std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(std::get<k>(parts))>>>{}, sums,
-                 s, a, std::get<k>(sources), std::get<k>(others), i, std::get<k>(parts)),
+                 std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, AllParts>>>{}, sums, s, a,
+                 std::get<k>(sources), supports[k], std::get<k>(others), i, std::get<k>(own_parts)),
              ...);
             store<P>(s, i, sums, Adds{});
         }

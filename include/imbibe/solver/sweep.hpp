@@ -224,16 +224,16 @@ template <class S, class ListB, class... N, class A, class ListA, class Adds, cl
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
                           const PhaseState<A, ListA, dim, Real>& state, const Own& a,
-                          const SourceData<dim, ListB, Real>& source, const typename S::B& material_b, int i,
-                          const PartTuple& parts) {
+                          const SourceData<dim, ListB, Real>& source, double support,
+                          const typename S::B& material_b, int i, const PartTuple& parts) {
     using T = Pack<Real, width>;
     using B [[maybe_unused]] = NeighbourView<typename S::B, ListB, dim, Real, width>;
     using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
-    const T outside(static_cast<Real>(1.0001 * source.support * source.support));
+    const T outside(static_cast<Real>(1.0001 * support * support));
     constexpr int place_a = component_offset<dim, Place, ListA>, place_b = component_offset<dim, Place, ListB>;
     Pair<dim, T> ab;
-    ab.support_radius = T(static_cast<Real>(source.support));
-    ab.inverse_support = T(static_cast<Real>(1 / source.support));
+    ab.support_radius = T(static_cast<Real>(support));
+    ab.inverse_support = T(static_cast<Real>(1 / support));
     ab.gravity_now = a.gravity_now;
     Real here[static_cast<std::size_t>(dim)];
     for (int d = 0; d < dim; ++d)
@@ -244,13 +244,13 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
                 here[d] = search::into_period(here[d], static_cast<Real>(source.periodic->lower[d]),
                                               static_cast<Real>(source.periodic->length[d]));
     // Where it is as seen through each periodic image; without periodic sides that is one place.
-    Real places[static_cast<std::size_t>(search::image_count<dim>)][static_cast<std::size_t>(dim)];
+    Real places[static_cast<std::size_t>(dim)][static_cast<std::size_t>(search::image_count<dim>)];
     for (int d = 0; d < dim; ++d)
-        places[0][d] = here[d];
+        places[d][0] = here[d];
     if (source.image_number > 1) [[unlikely]]
         for (int image = 1; image < source.image_number; ++image)
             for (int d = 0; d < dim; ++d)
-                places[image][d] = here[d] - source.images[static_cast<std::size_t>(image)][d];
+                places[d][image] = here[d] - source.images[static_cast<std::size_t>(image)][d];
 
     const search::RunList::Range own_runs = (*source.runs)[i];
     // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before the
@@ -258,9 +258,9 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     if constexpr (std::is_same_v<A, typename S::B>)
         IMBIBE_ASSUME(own_runs.begin() != own_runs.end());
     for (const search::Run run : own_runs) {
-        const Real* const place = places[run.shift];
         for (int d = 0; d < dim; ++d)
-            ab.offset[d] = T(place[d]) - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
+            ab.offset[d] = T(places[d][run.shift]) -
+                           T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
         T distance2 = squared_norm(ab.offset);
         if constexpr (width > 1) // what is beyond the run's count is put where every kernel is zero
             distance2 = select_first(run.count, distance2, outside);
