@@ -5,6 +5,7 @@
 #include "fluid.hpp"
 
 #include <imbibe/search/runs.hpp>
+#include <imbibe/solver/sweep.hpp>
 
 #include <algorithm>
 #include <array>
@@ -97,12 +98,9 @@ private:
         const double H = support;
         // grad W = -20 normalisation/H^5 (1 - r/H)^3 x_ab; the constant comes in when the sums are complete.
         const Real slope = static_cast<Real>(-20 * WendlandC2::normalisation<3>() / power<5>(H));
-        const T inverse(1 / H), outside(1.0001 * H * H), epsilon(0.01 * H * H);
+        const T inverse(1 / H), epsilon(0.01 * H * H);
         const T linear(2 * alpha * sound_speed * H), quadratic(2 * beta * H * H);
-        Real numbers[width];
-        for (int k = 0; k < width; ++k)
-            numbers[k] = static_cast<Real>(k);
-        const T lanes = T::load(numbers);
+        const detail::LeastDistances<Real, width> least(H);
         for (int i = 0; i < n; ++i) {
             const T x0(x[0][i]), x1(x[1][i]), x2(x[2][i]), v0(v[0][i]), v1(v[1][i]), v2(v[2][i]);
             const auto own = static_cast<std::size_t>(i);
@@ -112,7 +110,7 @@ private:
                 const std::size_t j = run.first;
                 const T d0 = x0 - T::load(x[0] + j), d1 = x1 - T::load(x[1] + j), d2 = x2 - T::load(x[2] + j); // 3
                 T r2 = d0 * d0 + d1 * d1 + d2 * d2;                                                            // 5
-                r2 = select(lanes < T(static_cast<Real>(run.count)), r2, outside);
+                r2 = max(r2, least.squared(run.count));
                 const T rest = positive_part(T(1) - sqrt(r2) * inverse);    // 4
                 const T weight = T::load(mass_ + j) * (rest * rest * rest); // 3
                 const T approach =

@@ -10,6 +10,7 @@
 #include <imbibe/solid/jaumann_stress.hpp>
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
+#include <imbibe/solver/sweep.hpp>
 #include <imbibe/state/linear_state.hpp>
 
 #include <array>
@@ -92,16 +93,11 @@ private:
     Real slope() const {
         return static_cast<Real>(-20 * WendlandC2::normalisation<3>() / power<5>(support));
     }
-    static T numbers() {
-        Real k[width];
-        for (int lane = 0; lane < width; ++lane)
-            k[lane] = static_cast<Real>(lane);
-        return T::load(k);
-    }
 
     void sweep_gradient() {
         const Real scale = slope();
-        const T lanes = numbers(), inverse(1 / support), outside(1.0001 * support * support);
+        const T inverse(1 / support);
+        const detail::LeastDistances<Real, width> least(support);
         for (int i = 0; i < n; ++i) {
             const T x0(x[0][i]), x1(x[1][i]), x2(x[2][i]), v0(v[0][i]), v1(v[1][i]), v2(v[2][i]);
             T rate(0), g[9];
@@ -111,7 +107,7 @@ private:
                 const std::size_t j = run.first;
                 const T d0 = x0 - T::load(x[0] + j), d1 = x1 - T::load(x[1] + j), d2 = x2 - T::load(x[2] + j);
                 T r2 = d0 * d0 + d1 * d1 + d2 * d2;
-                r2 = select(lanes < T(static_cast<Real>(run.count)), r2, outside);
+                r2 = max(r2, least.squared(run.count));
                 const T rest = positive_part(T(1) - sqrt(r2) * inverse);
                 const T weight = T::load(mass_ + j) * (rest * rest * rest);
                 const T u0 = v0 - T::load(v[0] + j), u1 = v1 - T::load(v[1] + j), u2 = v2 - T::load(v[2] + j);
@@ -161,7 +157,8 @@ private:
     void sweep_force() {
         const Real scale = slope();
         const double H = support;
-        const T lanes = numbers(), inverse(1 / H), outside(1.0001 * H * H), epsilon(0.01 * H * H);
+        const T inverse(1 / H), epsilon(0.01 * H * H);
+        const detail::LeastDistances<Real, width> least(H);
         const T linear(2 * alpha * sound_speed * H), quadratic(2 * beta * H * H);
         for (int i = 0; i < n; ++i) {
             const T x0(x[0][i]), x1(x[1][i]), x2(x[2][i]), v0(v[0][i]), v1(v[1][i]), v2(v[2][i]);
@@ -175,7 +172,7 @@ private:
                 const std::size_t j = run.first;
                 const T d0 = x0 - T::load(x[0] + j), d1 = x1 - T::load(x[1] + j), d2 = x2 - T::load(x[2] + j);
                 T r2 = d0 * d0 + d1 * d1 + d2 * d2;
-                r2 = select(lanes < T(static_cast<Real>(run.count)), r2, outside);
+                r2 = max(r2, least.squared(run.count));
                 const T rest = positive_part(T(1) - sqrt(r2) * inverse);
                 const T weight = T::load(mass_ + j) * (rest * rest * rest);
                 const T approach =

@@ -203,10 +203,10 @@ private:
         return this->template link<P, typename S::B, S::reference>().runs.is_empty();
     }
     template <class P, class S>
-    SourceData<dim, FieldsOf<typename S::B>, Real> source_data() const {
+    SourceData<dim, FieldsOf<typename S::B>, Real, Base::width> source_data() const {
         const auto& b = this->template state<typename S::B>();
         const auto& l = this->template link<P, typename S::B, S::reference>();
-        SourceData<dim, FieldsOf<typename S::B>, Real> source{};
+        SourceData<dim, FieldsOf<typename S::B>, Real, Base::width> source{};
         for (std::size_t k = 0; k < source.columns.size(); ++k)
             if constexpr (State<typename S::B>::keeps_reference && !S::reference)
                 source.columns[k] = b.image_column(static_cast<int>(k));
@@ -215,6 +215,7 @@ private:
         source.runs = &l.runs;
         source.support = l.support;
         source.periodic = &this->periodic;
+        source.least_distances = LeastDistances<Real, Base::width>(l.support);
         source.image_number = any_periodic() ? search::image_count<dim> : 1;
         for (int shift = 0; shift < search::image_count<dim>; ++shift)
             for (int d = 0; d < dim; ++d)

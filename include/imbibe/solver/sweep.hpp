@@ -171,8 +171,28 @@ struct AddsOfNodes<TypeList<N...>> {
     using type = Unique<Concat<typename N::Adds...>>;
 };
 
+/// What the squared distances of a run are raised to, by how many neighbours it has: 0 for these, and for what lies
+/// behind them a number beyond the support, where every kernel is zero. One instruction where a comparison of lanes
+/// takes five.
+template <class Real, int width>
+class LeastDistances {
+public:
+    LeastDistances() = default;
+    explicit LeastDistances(double support) {
+        for (int count = 0; count <= width; ++count)
+            for (int lane = count; lane < width; ++lane)
+                squared_[count][lane] = static_cast<Real>(1.0001 * support * support);
+    }
+    IMBIBE_INLINE Pack<Real, width> squared(std::size_t count) const {
+        return Pack<Real, width>::load(squared_[count]);
+    }
+
+private:
+    alignas(sizeof(Real) * static_cast<std::size_t>(width)) Real squared_[width + 1][width]{};
+};
+
 /// What a sweep needs to know of one source, with the fields of List.
-template <int dim, class List, class Real>
+template <int dim, class List, class Real, int width>
 struct SourceData {
     Columns<dim, List, Real> columns;
     const search::RunList* runs;
@@ -180,12 +200,13 @@ struct SourceData {
     const search::Periodic<dim>* periodic;
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
     int image_number; ///< 1 where no side is periodic
+    LeastDistances<Real, width> least_distances;
 };
 
 /// What a single node contributes for one run of neighbours.
 template <class N, class ListB, class Own, int dim, class Real, int width, class Part, class Adds>
 IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums, const Own& a,
-                           const SourceData<dim, ListB, Real>& source, const typename N::B& material_b,
+                           const SourceData<dim, ListB, Real, width>& source, const typename N::B& material_b,
                            const Pair<dim, Pack<Real, width>>& ab, const search::Run& run) {
     const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.columns, run.first, material_b, ab.gravity_now,
                                                                   source.images[run.shift]};
@@ -224,12 +245,11 @@ template <class S, class ListB, class... N, class A, class ListA, class Adds, cl
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
                           const PhaseState<A, ListA, dim, Real>& state, const Own& a,
-                          const SourceData<dim, ListB, Real>& source, double support,
+                          const SourceData<dim, ListB, Real, width>& source, double support,
                           const typename S::B& material_b, int i, const PartTuple& parts) {
     using T = Pack<Real, width>;
     using B [[maybe_unused]] = NeighbourView<typename S::B, ListB, dim, Real, width>;
     using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
-    const T outside(static_cast<Real>(1.0001 * support * support));
     constexpr int place_a = component_offset<dim, Place, ListA>, place_b = component_offset<dim, Place, ListB>;
     Pair<dim, T> ab;
     ab.support_radius = T(static_cast<Real>(support));
@@ -253,17 +273,17 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
                 places[d][image] = here[d] - source.images[static_cast<std::size_t>(image)][d];
 
     const search::RunList::Range own_runs = (*source.runs)[i];
-    // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before the
-    // loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
+    // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before
+    // the loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
     if constexpr (std::is_same_v<A, typename S::B>)
         IMBIBE_ASSUME(own_runs.begin() != own_runs.end());
     for (const search::Run run : own_runs) {
         for (int d = 0; d < dim; ++d)
-            ab.offset[d] = T(places[d][run.shift]) -
-                           T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
+            ab.offset[d] =
+                T(places[d][run.shift]) - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
         T distance2 = squared_norm(ab.offset);
-        if constexpr (width > 1) // what is beyond the run's count is put where every kernel is zero
-            distance2 = select_first(run.count, distance2, outside);
+        if constexpr (width > 1)
+            distance2 = max(distance2, source.least_distances.squared(run.count));
         ab.distance = sqrt(distance2);
         for (T& c : sums.central)
             c = T(0);
