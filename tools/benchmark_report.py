@@ -8,6 +8,8 @@
 The results stay as JSON in build-benchmark/results/; --reuse writes the report from them again without measuring. With
 --quick it takes two minutes instead of ten a round and leaves out the largest scenes. Nothing else should run on the
 machine: the report says how busy it was.
+
+Numbers of instructions depend on the compiler only: --counts counts them anew and leaves all else on the page as it is.
 """
 
 import argparse
@@ -43,6 +45,44 @@ def lanes(row):
 
 def percent(part):
     return f"{100 * part:.0f} %"
+
+
+def bar_row(what, asked, value, digits=2, at_most=True):
+    """A row of what was asked for."""
+    met = value <= asked if at_most else value >= asked
+    return [what, f"{'at most' if at_most else 'at least'} {asked:g}", f"{value:.{digits}f}", "yes" if met else "**no**"]
+
+
+def bar_of_instructions(real, ratio):
+    return bar_row(f"fluid in one sweep over the loop by hand, instructions, {real}", 1.03, ratio)
+
+
+def section_of_instructions(build, counts):
+    """Lines of the section of instructions."""
+    found = counts["counts"]
+    cases = sorted({name.rsplit("_", 1)[0] for name in found})
+    number = lambda name: "-" if name not in found else f"{found[name]:,.{0 if found[name] >= 100 else 1}f}"
+    return [
+        "## Instructions", "",
+        "How many instructions a particle (of kernels: a value and a gradient) takes, compiled for AVX2 "
+        f"(`-O3 -march=x86-64-v3`, {counts['compiler']}). The numbers stay the same from run to run; "
+        "`tools/compare_counts.py` tells when one has grown.", "",
+        f"```sh\npython3 tools/count_instructions.py {os.path.basename(os.path.normpath(build))}"
+        "/benchmarks/count_instructions -o counts.json\n```", "",
+        *table(["work", *REALS], [[case.replace("_", " "), *(number(f"{case}_{real}") for real in REALS)]
+                                  for case in cases])]
+
+
+def write_counts(page, build, counts, commit):
+    """The page with other numbers of instructions, and the commit they are of."""
+    page = page[:page.index("## Instructions")] + "\n".join(section_of_instructions(build, counts)).rstrip() + "\n"
+    over = compare_counts.over_by_hand(counts["counts"])
+    for real in REALS:
+        row = bar_of_instructions(real, over[f"fluid_loops_in_one_sweep_{real}"])
+        page, found = re.subn(rf"^\| {row[0]} \|.*$", "| " + " | ".join(row) + " |", page, flags=re.MULTILINE)
+        if found != 1:
+            sys.exit(f"benchmark_report.py: the page has no row '{row[0]}'")
+    return re.sub(r"^(- imbibe: .*?)(?:, instructions \w+)?$", rf"\1, instructions {commit}", page, flags=re.MULTILINE)
 
 
 class Report:
@@ -107,9 +147,7 @@ class Report:
 
         def bar(what, asked, value, digits=2, at_most=True):
             if value is not None:
-                met = value <= asked if at_most else value >= asked
-                rows.append([what, f"{'at most' if at_most else 'at least'} {asked:g}", f"{value:.{digits}f}",
-                             "yes" if met else "**no**"])
+                rows.append(bar_row(what, asked, value, digits, at_most))
 
         def value(program, name, counter="particle", scale=1e9):
             row = self.get(program, name)
@@ -133,8 +171,8 @@ class Report:
             bar(f"hypoelastic solid, ns per particle, {real}", solid, value("bench_sweep", name), digits=0)
             bar(f"the loops by hand, ns per particle, {real}", solid, value("bench_sweep", name, "hand"), digits=0)
         for real in REALS:
-            loop = f"fluid_loops_in_one_sweep_{real}"
-            bar(f"fluid in one sweep over the loop by hand, instructions, {real}", 1.03, self.over_by_hand().get(loop))
+            if over := self.over_by_hand().get(f"fluid_loops_in_one_sweep_{real}"):
+                rows.append(bar_of_instructions(real, over))
         moved = "neighbours/float/moved/{}/26".format
         bar("neighbours with sort, ns per particle, float", 85, value("bench_search", moved(100000)), digits=0)
         bar("nanoflann's radius search over that", 12,
@@ -338,18 +376,7 @@ class Report:
             return
         with open(path) as file:
             counts = json.load(file)
-        self.lines += [
-            "## Instructions", "",
-            "How many instructions a particle (of kernels: a value and a gradient) takes, compiled for AVX2 "
-            f"(`-O3 -march=x86-64-v3`, {counts['compiler']}). The numbers stay the same from run to run; "
-            "`tools/compare_counts.py` tells when one has grown.", "",
-            f"```sh\npython3 tools/count_instructions.py {os.path.basename(os.path.normpath(self.build))}"
-            "/benchmarks/count_instructions -o counts.json\n```", ""]
-        cases = sorted({name.rsplit("_", 1)[0] for name in counts["counts"]})
-        found = counts["counts"]
-        number = lambda name: "-" if name not in found else f"{found[name]:,.{0 if found[name] >= 100 else 1}f}"
-        self.lines += table(["work", *REALS],
-                            [[case.replace("_", " "), *(number(f"{case}_{real}") for real in REALS)] for case in cases])
+        self.lines += section_of_instructions(self.build, counts)
 
     @staticmethod
     def finish(axes, x, y, log=False):
@@ -381,8 +408,18 @@ def main():
                         help="measure all N times and take the best: other work on the machine comes and goes")
     parser.add_argument("--more", action="store_true", help="add to the stored results instead of forgetting them")
     parser.add_argument("--reuse", action="store_true", help="write the report from stored results")
+    parser.add_argument("--counts", action="store_true", help="count instructions only, and write these into the page")
     arguments = parser.parse_args()
     folder = os.path.join(arguments.build, "results")
+    program = os.path.abspath(os.path.join(arguments.build, "benchmarks", "count_instructions"))
+    if arguments.counts:
+        with open(arguments.output) as file:
+            page = file.read()
+        page = write_counts(page, arguments.build, count_instructions.counts_of(program), results.commit())
+        with open(arguments.output, "w") as file:
+            file.write(page)
+        print(f"wrote {arguments.output}")
+        return
     if not arguments.reuse:
         clang_folder = os.path.join(arguments.clang, "results") if arguments.clang else None
         for found in (folder, clang_folder) if not arguments.more else ():
@@ -393,8 +430,7 @@ def main():
             if arguments.clang:
                 results.run(arguments.clang, clang_folder, arguments.quick, "bench_sweep")
         print("count_instructions ...", flush=True)
-        counts = count_instructions.counts_of(os.path.abspath(os.path.join(arguments.build, "benchmarks",
-                                                                           "count_instructions")))
+        counts = count_instructions.counts_of(program)
         with open(os.path.join(folder, "counts.json"), "w") as file:
             json.dump(counts, file, indent=4)
     Report(arguments).write()
