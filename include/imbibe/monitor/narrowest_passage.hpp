@@ -19,7 +19,7 @@ struct Passage {
     Eigen::Matrix<double, dim, 1> middle; ///< m
 };
 
-/// The narrowest passage among particles a `spacing` apart, m, if there is one narrower than `widest`, m.
+/// The narrowest passage among the particles of a body, if there is one narrower than asked for.
 ///
 /// At a particle a of the surface a passage is as wide as the ball that touches it there and touches a second particle b
 /// across, 2R = |x_b - x_a|^2/(n_a . (x_b - x_a)), less one spacing (Ma, Bae and Choi 2012, The Visual Computer 28, 7-19:
@@ -30,6 +30,8 @@ struct Passage {
 ///
 /// Costs two searches, one of them of the particles at the surface only.
 /// @param x positions, n rows and dim columns, m; views of a scene's positions fit
+/// @param spacing between the particles, m
+/// @param widest wider passages are not looked for, m
 /// @param periodic periodic sides, none unless given
 /// @param threads 0: all of the machine
 /// @throws Error for a spacing or width that is not above 0
