@@ -5,7 +5,7 @@
 //   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
 //   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
 //   build-benchmark/benchmarks/accuracy_cost poiseuille --axis "cfl=0.1;0.4" --axis "method=float" --combine
-//                                                              these choices in place of the case's, in all combinations
+//                                                      these choices in place of the case's, and all their combinations
 //
 // tools/accuracy_instructions.py adds the number of instructions of each run to such a table.
 //

@@ -90,9 +90,7 @@ private:
 
     using T = Pack<Real, width>;
     /// grad W = slope (1 - r/H)^3 x_ab; the constant comes in when the sums are complete.
-    Real slope() const {
-        return static_cast<Real>(-20 * WendlandC2::normalisation<3>() / power<5>(support));
-    }
+    Real slope() const { return static_cast<Real>(-20 * WendlandC2::normalisation<3>() / power<5>(support)); }
 
     void sweep_gradient() {
         const Real scale = slope();

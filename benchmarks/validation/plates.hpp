@@ -21,10 +21,10 @@ namespace validation::plates {
 template <class K, class Viscosity = sph::MorrisViscosity<K>>
 struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, Viscosity> {};
 struct Plates : sph::Wall<> {};
-template <class K, class Oil = Oil<K>>
+template <class K, class Liquid = Oil<K>>
 struct OnPlates
-    : sph::Coupling<Oil, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                    sph::Into<Oil, sph::VolumeContinuity<K>>, sph::Into<Plates, sph::NoSlipVelocity<K>>,
+    : sph::Coupling<Liquid, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                    sph::Into<Liquid, sph::VolumeContinuity<K>>, sph::Into<Plates, sph::NoSlipVelocity<K>>,
                     sph::NoSlipViscosity<K>> {};
 
 constexpr double gap = 1e-3, nu = 1e-6;

@@ -3,9 +3,9 @@
 //
 //   cmake --preset fuzz && cmake --build --preset fuzz && build-fuzz/tests/fuzz_checkpoint -max_total_time=60
 //
-// Bytes as they are hardly ever get past the checksum. So the first one says what is made of the others: nothing; a right
-// checksum is put behind them; the right head before them and a right checksum behind; or a whole checkpoint is changed
-// where they say, and gets a right checksum. What was restored takes a step.
+// Bytes as they are hardly ever get past the checksum. So the first one says what is made of the others: nothing; a
+// right checksum is put behind them; the right head before them and a right checksum behind; or a whole checkpoint is
+// changed where they say, and gets a right checksum. What was restored takes a step.
 #include <imbibe/imbibe.hpp>
 
 #include <cstdint>

@@ -75,7 +75,8 @@ TEST_CASE("Solids, corners of a tank and threads have no passages", "[passage]")
     CHECK_FALSE(sph::narrowest_passage<3, double>(columns<3>(hollow), dx, 5 * dx));
     const auto ball = sph::Box<2>({-0.2, -0.2}, {0.2, 0.2}) - sph::Sphere<2>({0.001, 0.003}, 0.1);
     CHECK_FALSE(sph::narrowest_passage<2, double>(columns<2>(sph::fill(ball, dx)), dx, 10 * dx));
-    CHECK_FALSE(sph::narrowest_passage<2, double>(columns<2>({{0, 0}, {dx, 0}, {2 * dx, 0}, {dx, 3 * dx}}), dx, 5 * dx));
+    CHECK_FALSE(
+        sph::narrowest_passage<2, double>(columns<2>({{0, 0}, {dx, 0}, {2 * dx, 0}, {dx, 3 * dx}}), dx, 5 * dx));
     CHECK_FALSE(sph::narrowest_passage<2, double>(columns<2>({}), dx, 5 * dx));
 }
 
@@ -99,13 +100,13 @@ TEST_CASE("Passages narrower than nothing are refused", "[passage]") {
 TEST_CASE("A guard stops a run in which a pore closes", "[passage][guard]") {
     Press scene({.support_radius = 2.6 * dx, .time_step = 1e-3});
     const double particle = 0.8 * dx, gap = 4 * dx;
-    scene.add(Water{{.density = 1000, .sound_speed = 100}}, sph::fill(box<2>(-0.5, -0.48, 0, 0.02), particle), particle);
+    scene.add(Water{{.density = 1000, .sound_speed = 100}}, sph::fill(box<2>(-0.5, -0.48, 0, 0.02), particle),
+              particle);
     auto points = sph::fill(box<2>(0, 0.2, 0, 0.1), dx);
     const auto lower = static_cast<Eigen::Index>(points.size());
     for (const auto& x : sph::fill(box<2>(0, 0.2, 0, 0.1), dx))
         points.push_back(x + sph::Point<2>{0, 0.1 + gap});
-    const auto blocks = scene.add(
-        Blocks{{.density = 1000, .sound_speed = 100, .shear_modulus = 1e6}}, points, dx);
+    const auto blocks = scene.add(Blocks{{.density = 1000, .sound_speed = 100, .shear_modulus = 1e6}}, points, dx);
     auto view = scene[blocks];
     for (int i = 0; i < view.size(); ++i)
         view[sph::velocity](i, 1) = static_cast<Eigen::Index>(view.ids()[static_cast<std::size_t>(i)]) < lower ? 0 : -1;

@@ -133,8 +133,8 @@ public:
             }
         return *this;
     }
-    /// On this axis take these choices in place of those it is going to be added with: for a program whose user chooses.
-    /// A run throws Error if the axis never came.
+    /// On this axis take these choices in place of those it is going to be added with: for a program whose user
+    /// chooses. A run throws Error if the axis never came.
     Study& instead(const std::string& name, const std::vector<std::string>& choices) {
         require(!choices.empty(), "accuracy: no choices are given for the axis '", name, "'");
         instead_.emplace_back(name, choices);
@@ -217,8 +217,8 @@ private:
         for (const auto& [name, choices] : axes_)
             known.push_back(name);
         for (const auto& [name, choices] : instead_)
-            require(std::find(known.begin(), known.end(), name) != known.end(), "accuracy: the case has no axis '", name,
-                    "'; it has ", listed(known));
+            require(std::find(known.begin(), known.end(), name) != known.end(), "accuracy: the case has no axis '",
+                    name, "'; it has ", listed(known));
     }
     static std::string listed(const std::vector<std::string>& words) {
         std::string all;

@@ -60,9 +60,9 @@ struct GuardSettings {
     /// have put in. Infinite: not looked at, as for scenes that
     /// start under stress or that something drives. Not looked at either while a wall moves.
     double energy = 0.2;
-    /// The fewest particles of a fluid that are to fit across the pores of a solid or wall that it is coupled to, as they
-    /// lie now: below 2 no more than single ones pass, whatever the physics says. 0: not looked at, as where pores are
-    /// meant to be closed. See narrowest_passage().
+    /// The fewest particles of a fluid that are to fit across the pores of a solid or wall that it is coupled to, as
+    /// they lie now: below 2 no more than single ones pass, whatever the physics says. 0: not looked at, as where pores
+    /// are meant to be closed. See narrowest_passage().
     double least_pore = 0;
     /// Steps between two looks at the pores, which change slowly and take two searches.
     int pore_interval = 200;
@@ -244,7 +244,9 @@ private:
         });
     }
     template <class P>
-    static constexpr bool is_fluid = P::moves && !requires(P p) { p.shear_modulus; };
+    static constexpr bool is_fluid = P::moves && !requires(P p) {
+        p.shear_modulus;
+    };
 
     template <class Scene, class P>
     void look_at_pores_of(const Scene& scene, PhaseHandle<P> handle, double particle, const std::string& fluid) const {
@@ -260,8 +262,8 @@ private:
         std::vector<double> where;
         for (int d = 0; d < dim; ++d)
             where.push_back(found->middle[d] + set.origin[static_cast<std::size_t>(d)]);
-        throw Diverged(text("a pore of phase ", detail::type_name<P>(), " at (", listed(where), ") m is ",
-                            found->width, " m wide, ", found->width / particle, " particles of ", fluid,
+        throw Diverged(text("a pore of phase ", detail::type_name<P>(), " at (", listed(where), ") m is ", found->width,
+                            " m wide, ", found->width / particle, " particles of ", fluid,
                             ", where least_pore asks for ", settings_.least_pore, "; ", moment(scene), fluid,
                             " needs a spacing of at most ", found->width / settings_.least_pore,
                             " m to pass, or the body wider pores"),

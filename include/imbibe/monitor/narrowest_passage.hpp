@@ -21,12 +21,12 @@ struct Passage {
 
 /// The narrowest passage among the particles of a body, if there is one narrower than asked for.
 ///
-/// At a particle a of the surface a passage is as wide as the ball that touches it there and touches a second particle b
-/// across, 2R = |x_b - x_a|^2/(n_a . (x_b - x_a)), less one spacing (Ma, Bae and Choi 2012, The Visual Computer 28, 7-19:
-/// the ball of the medial axis). The normal n_a is the direction of the sum of (x_a - x_b)(1 - r/H)^2 over particles
-/// nearer than H = 2.2 spacings. Both a and b have to look at each other within 30 degrees, so that edges and corners
-/// of a hollow are no passages. Right within a spacing of the body where a lattice draws a round pore. Single layers of particles have no normal, faces that touch have lost theirs: neither is
-/// found.
+/// At a particle a of the surface a passage is as wide as the ball that touches it there and touches a second particle
+/// b across, 2R = |x_b - x_a|^2/(n_a . (x_b - x_a)), less one spacing (Ma, Bae and Choi 2012, The Visual Computer 28,
+/// 7-19: the ball of the medial axis). The normal n_a is the direction of the sum of (x_a - x_b)(1 - r/H)^2 over
+/// particles nearer than H = 2.2 spacings. Both a and b have to look at each other within 30 degrees, so that edges and
+/// corners of a hollow are no passages. Right within a spacing of the body where a lattice draws a round pore. Single
+/// layers of particles have no normal, faces that touch have lost theirs: neither is found.
 ///
 /// Costs two searches, one of them of the particles at the surface only.
 /// @param x positions, n rows and dim columns, m; views of a scene's positions fit
@@ -37,8 +37,8 @@ struct Passage {
 /// @throws Error for a spacing or width that is not above 0
 template <int dim, class Real>
 std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSearch<dim, Real>::Positions& x,
-                                              double spacing, double widest,
-                                              const search::Periodic<dim>& periodic = {}, int threads = 0) {
+                                              double spacing, double widest, const search::Periodic<dim>& periodic = {},
+                                              int threads = 0) {
     require(spacing > 0 && std::isfinite(spacing), "narrowest_passage: spacing = ", spacing, " m; it must be above 0");
     require(widest > 0 && std::isfinite(widest), "narrowest_passage: widest = ", widest, " m; it must be above 0");
     using Vector = Eigen::Matrix<double, dim, 1>;
