@@ -103,20 +103,21 @@ public:
     /// The observer: a glance after every step, a look after every `interval` steps.
     template <class Scene>
     void operator()(const Scene& scene) {
-        if (settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0)
-            look_at_pores(scene);
-        if (scene.steps() % settings_.interval == 0)
+        const bool at_pores = settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0;
+        if (at_pores || scene.steps() % settings_.interval == 0)
             look_at_particles(scene);
         else
             glance(scene);
+        if (at_pores)
+            look_at_pores(scene);
     }
     /// Looks at everything now, for example before a checkpoint is written, so that it is a good one.
     /// @throws Diverged
     template <class Scene>
     void look(const Scene& scene) {
+        look_at_particles(scene);
         if (settings_.least_pore > 0)
             look_at_pores(scene);
-        look_at_particles(scene);
     }
 
     /// Forgets the energies it has seen, as after a return to an earlier state.
