@@ -179,8 +179,8 @@ class LeastDistances {
 public:
     LeastDistances() = default;
     explicit LeastDistances(double support) {
-        for (int count = 0; count <= width; ++count)
-            for (int lane = count; lane < width; ++lane)
+        for (std::size_t count = 0; count <= lanes; ++count)
+            for (std::size_t lane = count; lane < lanes; ++lane)
                 squared_[count][lane] = static_cast<Real>(1.0001 * support * support);
     }
     IMBIBE_INLINE Pack<Real, width> squared(std::size_t count) const {
@@ -188,7 +188,8 @@ public:
     }
 
 private:
-    alignas(sizeof(Real) * static_cast<std::size_t>(width)) Real squared_[width + 1][width]{};
+    static constexpr auto lanes = static_cast<std::size_t>(width);
+    alignas(sizeof(Real) * lanes) Real squared_[lanes + 1][lanes]{};
 };
 
 /// What a sweep needs to know of one source, with the fields of List.
