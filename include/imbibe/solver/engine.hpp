@@ -219,7 +219,7 @@ private:
         source.image_number = any_periodic() ? search::image_count<dim> : 1;
         for (int shift = 0; shift < search::image_count<dim>; ++shift)
             for (int d = 0; d < dim; ++d)
-                source.images[static_cast<std::size_t>(shift)][d] = static_cast<Real>(
+                source.image_steps[d][shift] = source.images[static_cast<std::size_t>(shift)][d] = static_cast<Real>(
                     search::image_step(shift, d) * this->periodic.length[static_cast<std::size_t>(d)]);
         return source;
     }

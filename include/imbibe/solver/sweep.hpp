@@ -192,6 +192,10 @@ private:
     alignas(sizeof(Real) * lanes) Real squared_[lanes + 1][lanes]{};
 };
 
+/// Room for the periodic images in whole packs.
+template <int dim>
+inline constexpr std::size_t image_room = dim == 2 ? 16 : 32;
+
 /// What a sweep needs to know of one source, with the fields of List.
 template <int dim, class List, class Real, int width>
 struct SourceData {
@@ -200,7 +204,8 @@ struct SourceData {
     double support;
     const search::Periodic<dim>* periodic;
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
-    int image_number; ///< 1 where no side is periodic
+    Real image_steps[static_cast<std::size_t>(dim)][image_room<dim>]; ///< the same by direction, and zeros behind them
+    int image_number;                                                 ///< 1 where no side is periodic
     LeastDistances<Real, width> least_distances;
 };
 
@@ -256,6 +261,13 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     ab.support_radius = T(static_cast<Real>(support));
     ab.inverse_support = T(static_cast<Real>(1 / support));
     ab.gravity_now = a.gravity_now;
+    const search::RunList::Range own_runs = (*source.runs)[i];
+    // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before
+    // the loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
+    if constexpr (std::is_same_v<A, typename S::B>)
+        IMBIBE_ASSUME(own_runs.begin() != own_runs.end());
+    else if (own_runs.begin() == own_runs.end())
+        return;
     Real here[static_cast<std::size_t>(dim)];
     for (int d = 0; d < dim; ++d)
         here[d] = state.column(place_a + d)[i];
@@ -265,19 +277,14 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
                 here[d] = search::into_period(here[d], static_cast<Real>(source.periodic->lower[d]),
                                               static_cast<Real>(source.periodic->length[d]));
     // Where it is as seen through each periodic image; without periodic sides that is one place.
-    Real places[static_cast<std::size_t>(dim)][static_cast<std::size_t>(search::image_count<dim>)];
+    Real places[static_cast<std::size_t>(dim)][image_room<dim>];
     for (int d = 0; d < dim; ++d)
         places[d][0] = here[d];
     if (source.image_number > 1) [[unlikely]]
-        for (int image = 1; image < source.image_number; ++image)
-            for (int d = 0; d < dim; ++d)
-                places[d][image] = here[d] - source.images[static_cast<std::size_t>(image)][d];
+        for (int d = 0; d < dim; ++d)
+            for (std::size_t image = 0; image < image_room<dim>; ++image)
+                places[d][image] = here[d] - source.image_steps[d][image];
 
-    const search::RunList::Range own_runs = (*source.runs)[i];
-    // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before
-    // the loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
-    if constexpr (std::is_same_v<A, typename S::B>)
-        IMBIBE_ASSUME(own_runs.begin() != own_runs.end());
     for (const search::Run run : own_runs) {
         for (int d = 0; d < dim; ++d)
             ab.offset[d] =
