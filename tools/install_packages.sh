@@ -7,6 +7,7 @@
 #   sh tools/install_packages.sh clang         for a build with clang++ as well
 #   sh tools/install_packages.sh benchmarks    for the benchmarks as well
 #   sh tools/install_packages.sh docs          for the documentation site as well
+#   sh tools/install_packages.sh browser       for a look at that site as well
 #   sh tools/install_packages.sh studies       for tools/sponge_bars.py as well
 set -eu
 
@@ -17,8 +18,9 @@ for group in "$@"; do
         clang) packages="$packages clang libomp-dev" ;;
         benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind" ;;
         docs) packages="$packages doxygen linkchecker" ;;
+        browser) packages="$packages chromium chromium-driver python3-selenium" ;;
         studies) packages="$packages python3-scipy" ;;
-        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks, docs, studies" >&2; exit 2 ;;
+        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks, docs, browser, studies" >&2; exit 2 ;;
     esac
 done
 

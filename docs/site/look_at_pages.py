@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""Opens the pages of the site in a browser without a window, wide and as narrow as a telephone, and says what a reader
+would trip over: a picture that does not show, text or a table that runs out of the page, an error of a script, a page
+without a title. What it saw stays as pictures, to be looked at:
+
+    sh tools/install_packages.sh docs browser
+    cmake --preset docs && cmake --build --preset docs
+    python3 docs/site/look_at_pages.py build-docs          writes build-docs/looks/<page>_<width>.png
+
+Looked at are the hand-written pages, the lists of names and, of the pages that Doxygen makes of the headers, every tenth.
+"""
+
+import argparse
+import glob
+import os
+import sys
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+
+WIDTHS = (1280, 400)
+GREATEST_HEIGHT = 12000
+
+# What of a page a reader would trip over, one line each. What scrolls by itself, such as a wide table, may be wide.
+FAULTS = r"""
+const faults = [];
+for (const image of document.images)
+    if (image.naturalWidth === 0) faults.push('the picture ' + image.getAttribute('src') + ' does not show');
+for (const image of document.querySelectorAll('object, iframe'))
+    if (image.offsetWidth === 0 && image.offsetParent) faults.push('nothing shows of ' + (image.data || image.src));
+const contents = document.querySelector('div.contents');
+if (!contents || contents.innerText.trim().length < 20) faults.push('there is next to nothing on it');
+if (!document.querySelector('.title, h1')) faults.push('it has no title');
+const text = document.querySelector('#doc-content') || document.documentElement;
+const edges = text.getBoundingClientRect();
+if (edges.width < Math.min(0.6 * innerWidth, 600))
+    faults.push('there is room of ' + Math.round(edges.width) + ' for the text');
+const scrolls = element => {
+    for (; element !== text && element !== document.body; element = element.parentElement)
+        if (['auto', 'scroll', 'hidden'].includes(getComputedStyle(element).overflowX)) return true;
+    return false;
+};
+let widest = null, most = edges.right + 1;
+for (const element of text.querySelectorAll('div.contents *, div.header *')) {
+    const right = element.getBoundingClientRect().right;
+    if (right > most && !scrolls(element)) { most = right; widest = element; }
+}
+if (widest)
+    faults.push('it reaches ' + Math.round(most - edges.right) + ' out of the page: ' +
+                widest.outerHTML.replace(/\s+/g, ' ').slice(0, 80));
+return faults;
+"""
+# The text scrolls within the window: this is how high it would have to be to show all of it.
+HEIGHT = """
+const text = document.querySelector('#doc-content');
+return text ? text.scrollHeight + 150 : document.documentElement.scrollHeight;
+"""
+
+
+def browser():
+    options = Options()
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
+                     "--allow-file-access-from-files"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "SEVERE"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+def narrow_to(driver, width, height=900):
+    """Lays the page out for a screen of that size. A window cannot be made as narrow as a telephone."""
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                           {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
+
+
+def chosen(html):
+    """The pages to look at."""
+    made = sorted(os.path.basename(path) for path in glob.glob(os.path.join(html, "*.html")))
+    made = [page for page in made if not page.endswith(("-members.html", "_source.html"))]
+    of_headers = [page for page in made if page.startswith(("struct", "class", "namespace", "concept"))]
+    lists = ("dir_", "functions", "files", "graph_legend")
+    return [page for page in made if page not in of_headers and not page.startswith(lists)] + of_headers[::10]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", help="where the site was built, such as build-docs")
+    build = parser.parse_args().build
+    html, looks = os.path.join(build, "html"), os.path.join(build, "looks")
+    pages = chosen(html)
+    if not pages:
+        sys.exit(f"look_at_pages.py: there is no page in {html}; build the site first: cmake --build --preset docs")
+    os.makedirs(looks, exist_ok=True)
+    driver = browser()
+    faults = []
+    for page in pages:
+        for width in WIDTHS:
+            narrow_to(driver, width)
+            driver.get("file://" + os.path.abspath(os.path.join(html, page)))
+            found = driver.execute_script(FAULTS) + [entry["message"] for entry in driver.get_log("browser")]
+            faults += [f"{page}, {width} wide: {fault}" for fault in found]
+            height = driver.execute_script(HEIGHT)
+            narrow_to(driver, width, min(max(height, 900), GREATEST_HEIGHT))
+            driver.save_screenshot(os.path.join(looks, f"{page[:-5]}_{width}.png"))
+    driver.quit()
+    print("".join(fault + "\n" for fault in faults), end="")
+    print(f"{len(pages)} pages looked at, {len(faults)} faults; pictures in {looks}")
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
