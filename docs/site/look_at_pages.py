@@ -82,6 +82,17 @@ def chosen(html):
     return [page for page in made if page not in of_headers and not page.startswith(lists)] + of_headers[::10]
 
 
+def look(driver, html, looks, page, width):
+    """Leaves a picture of the page and returns its faults."""
+    narrow_to(driver, width)
+    driver.get("file://" + os.path.abspath(os.path.join(html, page)))
+    found = driver.execute_script(FAULTS) + [entry["message"] for entry in driver.get_log("browser")]
+    height = driver.execute_script(HEIGHT)
+    narrow_to(driver, width, min(max(height, 900), GREATEST_HEIGHT))
+    driver.save_screenshot(os.path.join(looks, f"{page[:-5]}_{width}.png"))
+    return [f"{page}, {width} wide: {fault}" for fault in found]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", help="where the site was built, such as build-docs")
@@ -91,18 +102,8 @@ def main():
     if not pages:
         sys.exit(f"look_at_pages.py: there is no page in {html}; build the site first: cmake --build --preset docs")
     os.makedirs(looks, exist_ok=True)
-    driver = browser()
-    faults = []
-    for page in pages:
-        for width in WIDTHS:
-            narrow_to(driver, width)
-            driver.get("file://" + os.path.abspath(os.path.join(html, page)))
-            found = driver.execute_script(FAULTS) + [entry["message"] for entry in driver.get_log("browser")]
-            faults += [f"{page}, {width} wide: {fault}" for fault in found]
-            height = driver.execute_script(HEIGHT)
-            narrow_to(driver, width, min(max(height, 900), GREATEST_HEIGHT))
-            driver.save_screenshot(os.path.join(looks, f"{page[:-5]}_{width}.png"))
-    driver.quit()
+    with browser() as driver:
+        faults = [fault for page in pages for width in WIDTHS for fault in look(driver, html, looks, page, width)]
     print("".join(fault + "\n" for fault in faults), end="")
     print(f"{len(pages)} pages looked at, {len(faults)} faults; pictures in {looks}")
     sys.exit(1 if faults else 0)
