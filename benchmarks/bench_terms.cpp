@@ -1,7 +1,7 @@
-// Measures every pair term of the library alone in a sweep: about 50,000 particles with a support of 2.6 spacings, one
-// thread, float. What particle functions prepare is set once and not measured. Terms of couplings are measured between
-// two phases whose particles stand between each other, for the one that receives. Counters: `particle` and `neighbour`,
-// the time per particle and per neighbour within the support. Run it:
+// Measures pair terms alone in a sweep: about 50,000 particles with a support of 2.6 spacings, one thread, float. (All
+// terms, as parts of a step, are in effects.cpp.) What particle functions prepare is set once and not measured. Terms of
+// couplings are measured between two phases whose particles stand between each other, for the one that receives.
+// Counters: `particle` and `neighbour`, the time per particle and per neighbour within the support. Run it:
 //
 //   build-benchmark/benchmarks/bench_terms
 #include "support/alone.hpp"

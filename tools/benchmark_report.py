@@ -124,8 +124,10 @@ class Report:
         busy = [context["load_avg"][0] for context in self.contexts if context.get("load_avg")]
         self.lines += [
             "# Speed", "",
-            f"Written by `python3 tools/benchmark_report.py{' --quick' if self.quick else ''}`; "
-            "what it cannot measure is not here.", "",
+            f"Written by `python3 tools/benchmark_report.py{' --quick' if self.quick else ''}"
+            f"{' --clang build-benchmark-clang' if self.clang else ''}`, with the programs of the preset"
+            f"{'s `benchmark` and `benchmark-clang`' if self.clang else ' `benchmark`'}; what it cannot measure is not "
+            "here.", "",
             f"- Processor: {results.machine()}",
             f"- Compiler: {results.compiler(self.build)}",
             f"- imbibe: {self.commit}",
@@ -321,7 +323,7 @@ class Report:
 
     def terms(self):
         self.section("Terms one by one", "bench_terms",
-                     "Each pair term alone in a sweep, float, support of 2.6 spacings. The part that every sweep has "
+                     "Pair terms alone in a sweep (all of them, as parts of a step: [docs/effects.md](effects.md)), float, support of 2.6 spacings. The part that every sweep has "
                      "(positions, distance, runs) is in each number, so the numbers do not add up.")
         self.lines += table(["term", "ns per particle", "ns per neighbour"],
                             [[name, ns(row), ns(row, "neighbour", 2)]

@@ -84,8 +84,8 @@ struct PaperSponge {
 /// volume-based pressure, walls and sponge as one kind of obstacle to the water, to which its pressure is continued
 /// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, within the water too,
 /// and a total-Lagrangian neo-Hookean sponge with corrected gradients and hourglass control. Sound speed: ten times the
-/// speed of the fall. The sponge has a support of its own, 2 spacings: with 2.6 a plate of nine layers swings 5 % too
-/// fast, and costs twice as much. Its Young's modulus is made up for its few layers (bending_modulus).
+/// speed of the fall. The sponge has a support of its own, 2 spacings: with 2.6 a plate of ten layers swings 5 % too
+/// slowly, and costs twice as much. Its Young's modulus is made up for its few layers (bending_modulus).
 struct SoundSponge {
     static constexpr const char* name = "sound";
     /// The kernel of all terms but the guard.
