@@ -124,6 +124,17 @@ TEST_CASE("A program's user may choose for a study", "[accuracy]") {
     REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("kernel", {"d"})),
                         contains("'kernel' has no choice 'd'; it has 'a', 'b', 'c'"));
     REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("n", {"many"})), contains("takes numbers, as '1', '2'"));
+    REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("n", {"inf"})), contains("no choice 'inf'"));
+    accuracy::Study late; // the axis was there first
+    late.axis("kernel", {"a", "b"});
+    REQUIRE_THROWS_WITH(late.instead("kernel", {"d"}), contains("no choice 'd'; it has 'a', 'b'"));
+    All run;
+    accuracy::Study{}.axis("kernel", {"a", "b"}).instead("kernel", {"b"}).run(
+        [&](const accuracy::Choices& choices) -> accuracy::Outcome {
+            run.push_back(words(choices));
+            return {0};
+        });
+    CHECK(run == All{"b "});
     REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("m", {"1"})), contains("no axis 'm'; it has 'n', 'kernel'"));
     REQUIRE_THROWS_WITH(accuracy::Study{}.instead("m", {}), contains("no choices are given for the axis 'm'"));
 }

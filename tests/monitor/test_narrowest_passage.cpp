@@ -3,6 +3,7 @@
 
 #include <imbibe/imbibe.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace passage_test {
@@ -128,7 +129,41 @@ TEST_CASE("A guard stops a run in which a pore closes", "[passage][guard]") {
         CHECK(error.position[1] < 0.116);
     }
     REQUIRE_THROWS_WITH(sph::Guard<2>({.least_pore = -2}), contains("least_pore = -2"));
+    REQUIRE_THROWS_WITH(sph::Guard<2>({.least_pore = std::numeric_limits<double>::infinity()}), contains("finite"));
     REQUIRE_THROWS_WITH(sph::Guard<2>({.pore_interval = 0}), contains("pore_interval = 0"));
+}
+
+TEST_CASE("A pore as wide as asked for is wide enough, far from the origin too", "[passage][guard]") {
+    for (const double far : {0.0, 1e5})
+        for (const double shift : {0.0, 0.1 * dx, 0.37 * dx, 1 / 3.0})
+            for (const double particles : {2.0, 1.9}) {
+                CAPTURE(far, shift, particles);
+                // float positions of a hundred kilometres are right to 8 mm: those of the scene are counted from `far`
+                sph::Solver<2, float, sph::SymplecticEuler, Water, Blocks, Contact> scene(
+                    {.support_radius = 2.6 * dx,
+                     .time_step = 1e-3,
+                     .periodic_lower = {far, 0},
+                     .periodic_length = {0.2, 0},
+                     .origin = {far, 0}});
+                const auto moved = [&](auto points) {
+                    for (auto& x : points)
+                        x += sph::Point<2>{far, shift};
+                    return points;
+                };
+                scene.add(Water{{.density = 1000, .sound_speed = 100}}, moved(sph::fill(box<2>(0, 0.02, -0.2, -0.18), dx)),
+                          dx);
+                auto points = sph::fill(box<2>(0, 0.2, 0, 0.1), dx);
+                for (const auto& x : sph::fill(box<2>(0, 0.2, 0, 0.1), dx))
+                    points.push_back(x + sph::Point<2>{0, 0.1 + particles * dx});
+                scene.add(Blocks{{.density = 1000, .sound_speed = 100, .shear_modulus = 1e6}}, moved(points), dx);
+                sph::Guard<2> guard({.least_pore = 2});
+                if (particles < 2)
+                    CHECK_THROWS_WITH(guard.look(scene), contains("1.9 particles of") && contains("least_pore asks for 2"));
+                else
+                    CHECK_NOTHROW(guard.look(scene));
+                CHECK_THROWS_WITH(sph::Guard<2>({.least_pore = 25}).look(scene),
+                                  contains("least_pore = 25 particles of") && contains("a period of 0.2 m"));
+            }
 }
 
 } // namespace passage_test

@@ -294,6 +294,13 @@ TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpo
     sph::read_checkpoint(good, path);
     CHECK(good.time() < hopeless.time());
     CHECK(std::filesystem::exists(path.string() + ".broken/water.pvd"));
+
+    auto bad = make<float>(); // as it is already: no shorter step mends that
+    sph::Guard<2> strict({.upper = {1e-3, 1e-3}});
+    bool tried = false;
+    CHECK_THROWS_AS(sph::run_and_recover(bad, 0.3, strict, path, 1e6, 4, [&](const sph::Error&) { tried = true; }),
+                    sph::Diverged);
+    CHECK_FALSE(tried);
 }
 
 } // namespace checkpoint_test

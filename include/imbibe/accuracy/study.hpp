@@ -36,11 +36,12 @@ public:
         require(value.has_value(), "accuracy: '", word, "' on the axis '", axis, "' is not a number");
         return *value;
     }
-    /// The number that a word is, if it is one.
+    /// The finite number that a word is, if it is one.
     static std::optional<double> number_in(const std::string& word) {
         double value = 0;
         const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-        return fault == std::errc{} && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
+        const bool all = fault == std::errc{} && end == word.data() + word.size();
+        return all && std::isfinite(value) ? std::optional(value) : std::nullopt;
     }
     /// Which repetition this is, from 0 on: the seed of a jittered start.
     int repetition = 0;
@@ -133,11 +134,17 @@ public:
             }
         return *this;
     }
-    /// On this axis take these choices in place of those it is going to be added with: for a program whose user
+    /// On this axis take these choices in place of those it was or is going to be added with: for a program whose user
     /// chooses. A run throws Error if the axis never came.
+    /// @throws Error for no choices, and for an axis that is there already as `axis` does
     Study& instead(const std::string& name, const std::vector<std::string>& choices) {
         require(!choices.empty(), "accuracy: no choices are given for the axis '", name, "'");
         instead_.emplace_back(name, choices);
+        for (auto& [known, values] : axes_)
+            if (known == name) {
+                check_instead(name, values, choices);
+                values = choices;
+            }
         return *this;
     }
     /// Lets `one_at_a_time` run every combination, as `run` does.

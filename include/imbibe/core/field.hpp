@@ -12,7 +12,8 @@ namespace imbibe {
 /// What a field holds per particle.
 enum class Rank { scalar, vector, symmetric_tensor, tensor };
 
-/// Base of every field. A field is an empty struct with `name` and `unit`, and one constant of it:
+/// Base of every field. A field is an empty struct with `name` and `unit`, and one constant of it; one that is integrated
+/// has `rate_name` and `rate_unit` as well, those of its Rate:
 /// <!-- examples/guides/heat.cpp -->
 /// ```
 /// struct Temperature : sph::Field<sph::Rank::scalar> {

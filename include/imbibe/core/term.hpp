@@ -168,6 +168,12 @@ struct TimeStepInput {
 
 namespace detail {
 
+/// Is this phase a fluid, and not a solid or a wall? A term of a coupling may ask which side it is on.
+template <class Phase>
+inline constexpr bool is_fluid = Phase::moves&& requires(const Phase& phase) {
+    phase.viscosity;
+};
+
 template <class Term>
 concept HasParts = requires { typename Term::parts; };
 template <class Term>

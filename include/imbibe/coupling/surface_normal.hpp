@@ -98,19 +98,6 @@ struct ReferenceSurfaceNormal {
     using parts = Parts<Sum, Turn>;
 };
 
-namespace detail {
-
-// Is this the fluid's side of a coupling?
-template <class Particle>
-inline constexpr bool is_fluid_particle = [] {
-    using Material = typename std::remove_cvref_t<Particle>::Material;
-    return Material::moves && requires(const Material& m) {
-        m.viscosity;
-    };
-}();
-
-} // namespace detail
-
 /// m_s dv_s/dt = - sum_f V_f V_s 2 p_f [n_s (n_s . grad_s W) + (1 - n_s^2) grad_s W], in N, for a particle s of the
 /// solid and the particles f of the fluid, with grad_s W towards the fluid; on the fluid the opposite. n_s is the
 /// surface normal (SurfaceNormal or ReferenceSurfaceNormal), of unit length at the surface and zero inside: of the
@@ -141,7 +128,7 @@ struct SurfaceNormalPressure {
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             const auto per_mass = 1 / a[mass];
             const auto weight = -(2 * a[volume] * b[volume] * ab.gradient(Kernel{}) * per_mass);
-            if constexpr (detail::is_fluid_particle<decltype(a)>)
+            if constexpr (detail::is_fluid<typename std::remove_cvref_t<decltype(a)>::Material>)
                 return (weight * a[pressure]) * projected(ab.offset, b[surface_normal]);
             else
                 return (weight * b[pressure]) * projected(ab.offset, a[surface_normal]);

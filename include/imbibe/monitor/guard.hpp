@@ -32,7 +32,7 @@ public:
     }
     Cause cause;                  ///< what was found
     std::string phase;            ///< empty where the whole scene is meant
-    std::vector<double> position; ///< of the particle, m; empty where no one particle is meant
+    std::vector<double> position; ///< of the particle, or of the middle of the pore, m; empty where neither is meant
     double time;                  ///< s
     long long steps;              ///< taken until then
 };
@@ -62,7 +62,9 @@ struct GuardSettings {
     double energy = 0.2;
     /// The fewest particles of a fluid that are to fit across the pores of a solid or wall that it is coupled to, as
     /// they lie now: below 2 no more than single ones pass, whatever the physics says. 0: not looked at, as where pores
-    /// are meant to be closed. See narrowest_passage().
+    /// are meant to be closed. A thousandth less is taken for as many. A pore that has closed to 0.4 spacings of its body
+    /// between two looks is no longer seen as one, and particles that lie off their lattice by more than a tenth of a
+    /// spacing may be taken for pores. See narrowest_passage().
     double least_pore = 0;
     /// Steps between two looks at the pores, which change slowly and take two searches.
     int pore_interval = 200;
@@ -80,7 +82,7 @@ struct GuardSettings {
                 " (a share); it must be above 0, usually 0.92 in 2D and 0.96 in 3D");
         require(energy > 0, "Guard: energy = ", energy, " (a share); it must be above 0");
         require(least_pore >= 0 && std::isfinite(least_pore), "Guard: least_pore = ", least_pore,
-                " particles; it must be 0 (not looked at) or more, usually 2");
+                " particles; it must be 0 (not looked at) or a finite number above, usually 2");
         require(pore_interval >= 1, "Guard: pore_interval = ", pore_interval, " steps; it must be at least 1");
     }
 
@@ -100,7 +102,9 @@ public:
     /// @throws Error for a bound out of range
     explicit Guard(const GuardSettings<dim>& with = {}) : settings_(with) { with.check(); }
 
-    /// The observer: a glance after every step, a look after every `interval` steps.
+    /// The observer: a glance after every step, a look at all particles after every `interval` steps, at the pores too
+    /// after every `pore_interval`.
+    /// @throws Diverged
     template <class Scene>
     void operator()(const Scene& scene) {
         const bool at_pores = settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0;
@@ -239,25 +243,26 @@ private:
         scene.engine().for_each_link([&]<class Link>(const Link&) {
             using A = typename Link::A;
             using B = typename Link::B;
-            if constexpr (is_fluid<A> && !is_fluid<B> && !Link::reference)
+            if constexpr (detail::is_fluid<A> && !detail::is_fluid<B> && !Link::reference)
                 look_at_pores_of(scene, PhaseHandle<B>{}, scene[PhaseHandle<A>{}].material().spacing,
                                  detail::type_name<A>());
         });
     }
-    template <class P>
-    static constexpr bool is_fluid = P::moves && !requires(P p) {
-        p.shear_modulus;
-    };
-
     template <class Scene, class P>
     void look_at_pores_of(const Scene& scene, PhaseHandle<P> handle, double particle, const std::string& fluid) const {
         const auto body = scene[handle];
         if (body.size() == 0 || !(particle > 0))
             return;
         const auto& set = scene.settings();
-        const auto found = narrowest_passage<dim, typename Scene::Real>(
-            body[position], body.material().spacing, settings_.least_pore * particle,
-            {set.periodic_lower, set.periodic_length}, set.threads);
+        // Particles of a lattice fit exactly or, by rounding, not quite.
+        const double spacing = body.material().spacing, widest = (1 - 1e-3) * settings_.least_pore * particle;
+        const double reach = std::max(widest + spacing, 2.2 * spacing);
+        for (const double period : set.periodic_length)
+            require(period == 0 || period >= reach, "Guard: pores of least_pore = ", settings_.least_pore,
+                    " particles of ", fluid, " cannot be looked for across a period of ", period,
+                    " m; it must be at least ", reach, " m. Make it longer, or least_pore less or 0 (not looked at)");
+        const auto found = narrowest_passage<dim, typename Scene::Real>(body[position], spacing, widest,
+                                                                        scene.engine().periodic, set.threads);
         if (!found)
             return;
         std::vector<double> where;
@@ -308,21 +313,24 @@ private:
     }
 
     // What rounding may have put into the potential energy since the first look, J. A position is off by at most half
-    // its last bit in every step, and all of them the same way where a step moves them by less than that.
+    // its last bit in every step, and all of them the same way where a step moves them by less than that; and particles
+    // that were sorted are added up in another order.
     template <class Scene>
     double round_off(const Scene& scene) const {
         const double half_bit = 0.5 * std::numeric_limits<typename Scene::Real>::epsilon();
+        const auto steps = static_cast<double>(scene.steps() - start_->steps);
         double energy = 0;
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
             if constexpr (P::moves) {
                 const auto phase = scene[PhaseHandle<P>{}];
+                const double share = half_bit * steps + s.size() * std::numeric_limits<double>::epsilon();
                 for (int d = 0; d < dim && s.size() > 0; ++d)
-                    energy += half_bit * static_cast<double>(phase[mass].sum()) *
+                    energy += share * static_cast<double>(phase[mass].sum()) *
                               std::abs(scene.settings().gravity[static_cast<std::size_t>(d)]) *
                               static_cast<double>(phase[position].col(d).cwiseAbs().maxCoeff());
             }
         });
-        return energy * static_cast<double>(scene.steps() - start_->steps);
+        return energy;
     }
 
     template <class Scene, class View>

@@ -25,8 +25,11 @@ struct Passage {
 /// b across, 2R = |x_b - x_a|^2/(n_a . (x_b - x_a)), less one spacing (Ma, Bae and Choi 2012, The Visual Computer 28,
 /// 7-19: the ball of the medial axis). The normal n_a is the direction of the sum of (x_a - x_b)(1 - r/H)^2 over
 /// particles nearer than H = 2.2 spacings. Both a and b have to look at each other within 30 degrees, so that edges and
-/// corners of a hollow are no passages. Right within a spacing of the body where a lattice draws a round pore. Single
-/// layers of particles have no normal, faces that touch have lost theirs: neither is found.
+/// corners of a hollow are no passages. Right within a spacing of the body where a lattice draws a round pore.
+///
+/// Not for single layers of particles, which have no normal, nor for faces nearer than 0.4 spacings, which have lost
+/// theirs: neither is found. Not for particles that lie off their lattice by more than a tenth of a spacing: what is
+/// inside then looks like a surface here and there, and pores are found that are none.
 ///
 /// Costs two searches, one of them of the particles at the surface only.
 /// @param x positions, n rows and dim columns, m; views of a scene's positions fit
@@ -34,15 +37,19 @@ struct Passage {
 /// @param widest wider passages are not looked for, m
 /// @param periodic periodic sides, none unless given
 /// @param threads 0: all of the machine
-/// @throws Error for a spacing or width that is not above 0
+/// @throws Error for a spacing or width that is not a finite number above 0, a position that is not finite, and a period
+/// that is shorter than 2.2 spacings or than `widest` and a spacing
 template <int dim, class Real>
 std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSearch<dim, Real>::Positions& x,
                                               double spacing, double widest, const search::Periodic<dim>& periodic = {},
                                               int threads = 0) {
-    require(spacing > 0 && std::isfinite(spacing), "narrowest_passage: spacing = ", spacing, " m; it must be above 0");
-    require(widest > 0 && std::isfinite(widest), "narrowest_passage: widest = ", widest, " m; it must be above 0");
+    require(spacing > 0 && std::isfinite(spacing), "narrowest_passage: spacing = ", spacing,
+            " m; it must be a finite number above 0 m, the distance of the body's particles");
+    require(widest > 0 && std::isfinite(widest), "narrowest_passage: widest = ", widest,
+            " m; it must be a finite number above 0 m, usually that of 1 to 4 particles");
     using Vector = Eigen::Matrix<double, dim, 1>;
-    // Shares of what a particle would have whose neighbours were all in one direction: 0.3 at a face (3D), 0.02 below.
+    // Shares of what a particle would have whose neighbours were all in one direction. On a lattice 0.30 (3D) and 0.44
+    // (2D) at a face, below 0.01 in the layer under it.
     constexpr double at_surface = 0.12, facing = 0.866;
 
     search::NeighbourSearch<dim, Real> near(2.2 * spacing, periodic, threads);

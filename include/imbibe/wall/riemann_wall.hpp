@@ -8,6 +8,7 @@
 namespace imbibe {
 
 struct use_RiemannPressure_between_fluids; // advice
+struct list_it_between_a_fluid_and_a_wall_or_solid;
 namespace rules {
 /// Rule: a force of walls on fluids has a fluid on one side, and on the other none.
 template <class Term, class Advice>
@@ -21,15 +22,6 @@ struct WallDirection : Field<Rank::vector> {
     static constexpr std::string_view name = "wall_direction", unit = "1/m";
 };
 inline constexpr WallDirection wall_direction{};
-
-namespace detail {
-
-template <class Material>
-inline constexpr bool is_liquid = Material::moves&& requires(const Material& m) {
-    m.viscosity;
-};
-
-} // namespace detail
 
 /// n_f = sum_w V_w grad_f W_fw, in 1/m, for a particle f of the fluid and the particles w of a wall or a solid: the
 /// direction in which the wall is.
@@ -101,12 +93,14 @@ struct RiemannWallPressure {
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             using A = std::remove_cvref_t<decltype(a)>;
             using B = std::remove_cvref_t<decltype(b)>;
-            if constexpr (detail::is_liquid<typename A::Material> == detail::is_liquid<typename B::Material>)
-                detail::break_rule<
-                    rules::NotBetweenFluidAndWall<RiemannWallPressure, use_RiemannPressure_between_fluids>>();
+            constexpr bool from_fluid = detail::is_fluid<typename A::Material>;
+            if constexpr (from_fluid == detail::is_fluid<typename B::Material>)
+                detail::break_rule<rules::NotBetweenFluidAndWall<
+                    RiemannWallPressure, std::conditional_t<from_fluid, use_RiemannPressure_between_fluids,
+                                                            list_it_between_a_fluid_and_a_wall_or_solid>>>();
             const auto per_mass = 1 / a[mass];
             const auto force = 2 * (a[volume] * b[volume] * ab.gradient(Kernel{}) * per_mass);
-            if constexpr (detail::is_liquid<typename A::Material>)
+            if constexpr (from_fluid)
                 return along(ab, -(force * pressure_at_wall(a, b, -dot(ab.gravity(), ab.offset))));
             else
                 return along(ab, -(force * pressure_at_wall(b, a, dot(ab.gravity(), ab.offset))));
