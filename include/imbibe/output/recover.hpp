@@ -21,11 +21,11 @@ std::string keep_offending_state(const Scene& scene, const std::filesystem::path
 }
 
 /// Runs `scene` to `end`, s, under `guard` with a checkpoint every `seconds` of wall time, each looked at by the guard
-/// before it is written; the first as the scene is now, so that one which is bad already is refused at once. Where the guard, or the solver, stops the run, its particles are written to the folder
-/// `<checkpoint>.broken`, for ParaView, and the scene goes back to the last checkpoint and
-/// goes on with steps half as long, at most `retries` times; `returned(error)` is told so each time, once the scene is
-/// back. Observers see time go back then: a table or a series of snapshots gets rows twice, unless `returned` mends
-/// it.
+/// before it is written; the first as the scene is now, so that one which is bad already is refused at once. Where the
+/// guard, or the solver, stops the run, its particles are written to the folder `<checkpoint>.broken`, for ParaView, and
+/// the scene goes back to the last checkpoint and goes on with steps half as long, at most `retries` times;
+/// `returned(error)` is told so each time, once the scene is back. Observers see time go back then: a table or a series
+/// of snapshots gets rows twice, unless `returned` mends it.
 /// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up, or there is nothing good
 /// to begin with
 template <class Scene, int dim, class Returned, class... Observers>
