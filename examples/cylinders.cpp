@@ -19,8 +19,8 @@
 namespace sph = imbibe;
 using K = sph::QuinticSpline;
 
-struct Glycerine : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>,
-                              sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
+struct Glycerine
+    : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
 struct Cylinders : sph::Wall<> {};
 struct Contact : sph::Coupling<Glycerine, Cylinders, sph::Into<Cylinders, sph::PressureExtrapolation<K>>,
                                sph::VolumePressure<K>, sph::Into<Glycerine, sph::VolumeContinuity<K>>,
@@ -37,7 +37,6 @@ int main(int argc, char** argv) {
 
         Scene scene({.gravity = {0, -g}, .support_radius = 3 * dx, .periodic_length = {2 * L, 2 * L}});
         Glycerine liquid{{.density = rho, .sound_speed = sound_speed, .viscosity = mu}};
-        liquid.set(sph::DensityDiffusionParameters{.hydrostatic = false}); // the pressure is periodic, too
         const auto disc = [&](double x, double y) { return sph::Sphere<2>{{x * L, y * L}, radius}; };
         const auto discs = disc(0.5, 0.5) | disc(1.5, 0.5) | disc(0.5, 1.5) | disc(1.5, 1.5);
         const sph::Box<2> plane({0, 0}, {2 * L, 2 * L});
