@@ -122,12 +122,12 @@ class Report:
 
     def head(self):
         busy = [context["load_avg"][0] for context in self.contexts if context.get("load_avg")]
+        options = (" --quick" if self.quick else "") + (" --clang build-benchmark-clang" if self.clang else "")
+        presets = "presets `benchmark` and `benchmark-clang`" if self.clang else "preset `benchmark`"
         self.lines += [
             "# Speed", "",
-            f"Written by `python3 tools/benchmark_report.py{' --quick' if self.quick else ''}"
-            f"{' --clang build-benchmark-clang' if self.clang else ''}`, with the programs of the preset"
-            f"{'s `benchmark` and `benchmark-clang`' if self.clang else ' `benchmark`'}; what it cannot measure is not "
-            "here.", "",
+            f"Written by `python3 tools/benchmark_report.py{options}`, with the programs of the {presets}; what it cannot "
+            "measure is not here.", "",
             f"- Processor: {results.machine()}",
             f"- Compiler: {results.compiler(self.build)}",
             f"- imbibe: {self.commit}",
@@ -323,8 +323,9 @@ class Report:
 
     def terms(self):
         self.section("Terms one by one", "bench_terms",
-                     "Pair terms alone in a sweep (all of them, as parts of a step: [docs/effects.md](effects.md)), float, support of 2.6 spacings. The part that every sweep has "
-                     "(positions, distance, runs) is in each number, so the numbers do not add up.")
+                     "Pair terms alone in a sweep (all of them, as parts of a step: [docs/effects.md](effects.md)), float, "
+                     "support of 2.6 spacings. The part that every sweep has (positions, distance, runs) is in each number, "
+                     "so the numbers do not add up.")
         self.lines += table(["term", "ns per particle", "ns per neighbour"],
                             [[name, ns(row), ns(row, "neighbour", 2)]
                              for name, row in self.rows.get("bench_terms", {}).items()])

@@ -39,7 +39,7 @@ void check_preset(const Run& run, double value = 0) {
         check_stable(run, cfl, value);
 }
 /// The same in space, where an eighth more is borne: water that is thrown about with all its damping comes to an edge
-/// at 0.87 there, at 0.94 in the plane.
+/// at 0.86 there, at 0.94 in the plane.
 template <class Run>
 void check_preset_in_space(const Run& run, double value = 0) {
     const double offered = imbibe::presets::SpongeCase{}.cfl;

@@ -256,7 +256,7 @@ private:
         const auto& set = scene.settings();
         // Particles of a lattice fit exactly or, by rounding, not quite.
         const double spacing = body.material().spacing, widest = (1 - 1e-3) * settings_.least_pore * particle;
-        const double reach = std::max(widest + spacing, 2.2 * spacing);
+        const double reach = detail::reach_of_passages(spacing, widest);
         for (const double period : set.periodic_length)
             require(period == 0 || period >= reach, "Guard: pores of least_pore = ", settings_.least_pore,
                     " particles of ", fluid, " cannot be looked for across a period of ", period,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -18,6 +19,18 @@ struct Passage {
     double width;                         ///< m, between faces half a spacing outside their particles
     Eigen::Matrix<double, dim, 1> middle; ///< m
 };
+
+namespace detail {
+
+/// How far around a particle of the surface its normal is summed up, in spacings.
+inline constexpr double normal_support = 2.2;
+
+/// How far is looked for passages up to `widest`, m: the least that a period may be.
+inline double reach_of_passages(double spacing, double widest) {
+    return std::max(widest + spacing, normal_support * spacing);
+}
+
+} // namespace detail
 
 /// The narrowest passage among the particles of a body, if there is one narrower than asked for.
 ///
@@ -52,7 +65,8 @@ std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSe
     // (2D) at a face, below 0.01 in the layer under it.
     constexpr double at_surface = 0.12, facing = 0.866;
 
-    search::NeighbourSearch<dim, Real> near(2.2 * spacing, periodic, threads);
+    const double support = detail::normal_support * spacing;
+    search::NeighbourSearch<dim, Real> near(support, periodic, threads);
     near.add(x);
     near.update();
     std::vector<Vector> normals;
@@ -61,7 +75,7 @@ std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSe
         Vector sum = Vector::Zero();
         double most = 0;
         near.for_each(0, a, [&](int, const auto& offset, double r) {
-            const double weight = (1 - r / (2.2 * spacing)) * (1 - r / (2.2 * spacing));
+            const double weight = (1 - r / support) * (1 - r / support);
             sum += weight * offset.template cast<double>();
             most += weight * r;
         });
