@@ -251,9 +251,10 @@ TEST_CASE("What is sorted stays sorted, and equal cells keep their order", "[sea
     CellTable table;
     REQUIRE_FALSE(table.sort(grid, points, 1));
     const auto order = table.order();
+    std::vector<std::uint32_t> cells(500);
+    grid.find_cells(points, 0, cloud.n, cells.data());
     for (std::size_t k = 1; k < order.size(); ++k) {
-        const auto before = grid.key(points, static_cast<int>(order[k - 1]));
-        const auto here = grid.key(points, static_cast<int>(order[k]));
+        const auto before = cells[order[k - 1]], here = cells[order[k]];
         REQUIRE(before <= here);
         if (before == here)
             REQUIRE(order[k - 1] < order[k]);
@@ -271,10 +272,48 @@ TEST_CASE("What is sorted stays sorted, and equal cells keep their order", "[sea
     table.sort(grid, cloud.points(), 1);
     CHECK(table.start(0) == 0);
     CHECK(table.start(grid.cells()) == 500);
+    grid.find_cells(cloud.points(), 0, cloud.n, cells.data());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        REQUIRE(table.start(cells[i]) <= i);
+        REQUIRE(i < table.start(cells[i] + 1));
+    }
+}
+
+TEMPLATE_TEST_CASE("Points are numbered by the cells they are in, and outside by those at the rim", "[search]", float,
+                   double) {
+    auto cloud = random_cloud<3, TestType>(1003, -2, 2, 52);
+    Grid<3> grid;
+    imbibe::search::Bounds<3> middle; // of the cloud: most of it is outside
+    middle.lower = {-1, -1.1, -0.9};
+    middle.upper = {1, 0.8, 1.2};
+    grid.fit(middle, 0.3, {}, cloud.n);
+    std::vector<std::uint32_t> cells(1003);
+    grid.find_cells(cloud.points(), 0, cloud.n, cells.data());
     for (int i = 0; i < cloud.n; ++i) {
-        const auto key = grid.key(cloud.points(), i);
-        REQUIRE(table.start(key) <= static_cast<std::uint32_t>(i));
-        REQUIRE(static_cast<std::uint32_t>(i) < table.start(key + 1));
+        int expected = 0;
+        for (int d = 2; d >= 0; --d)
+            expected = expected * grid.n(d) +
+                       std::clamp(grid.cell(d, double(cloud.points().x[std::size_t(d)][i])), 0, grid.n(d) - 1);
+        REQUIRE(cells[std::size_t(i)] == std::uint32_t(expected));
+    }
+}
+
+TEMPLATE_TEST_CASE("The bounds of points, and the first that is not a number", "[search]", float, double) {
+    for (const int n : {1, 5, 8, 37}) {
+        auto cloud = random_cloud<2, TestType>(n, -1, 1, 53 + n);
+        for (int bad = -1; bad < n; ++bad)
+            for (const auto value : {std::numeric_limits<TestType>::quiet_NaN(), TestType(-2e30)}) {
+                auto x = cloud.x[1];
+                auto points = cloud.points();
+                if (bad >= 0)
+                    x[std::size_t(bad)] = value;
+                points.x[1] = x.data();
+                const auto bounds = imbibe::search::bounds_of(points, 1);
+                CHECK(bounds.not_finite == bad);
+                const auto [low, high] = std::minmax_element(cloud.x[0].begin(), cloud.x[0].begin() + n);
+                CHECK(bounds.lower[0] == double(*low));
+                CHECK(bounds.upper[0] == double(*high));
+            }
     }
 }
 

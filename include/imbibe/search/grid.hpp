@@ -3,6 +3,7 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/core/pack.hpp>
 #include <imbibe/core/parallel.hpp>
 
 #include <algorithm>
@@ -78,18 +79,30 @@ IMBIBE_PER_BUILD Bounds<dim> bounds_of(const Points<dim, Real>& points, int thre
     return parallel_reduce(
         points.n, threads, Bounds<dim>{},
         [&](int begin, int end) {
+            using T = Pack<Real, native_width<Real>>;
+            const T most(1e30); // a number that is none is not less
             Bounds<dim> b;
             for (std::size_t d = 0; d < dim; ++d) {
-                Real low = points.x[d][begin], high = low;
-                for (int i = begin; i < end; ++i) {
-                    const Real x = points.x[d][i];
-                    low = x < low ? x : low;
-                    high = x > high ? x : high;
-                    if (!(std::abs(x) < Real(1e30)))
-                        b.not_finite = i;
+                const Real* x = points.x[d];
+                T low(x[begin]), high = low;
+                std::uint32_t finite = less_bits(abs(low), most);
+                const auto include = [&](T some) {
+                    low = min(some, low);
+                    high = max(some, high);
+                    finite &= less_bits(abs(some), most);
+                };
+                int i = begin;
+                for (; i + T::size <= end; i += T::size)
+                    include(T::load(x + i));
+                for (; i < end; ++i)
+                    include(T(x[i]));
+                if (finite != less_bits(T(0), most))
+                    for (i = begin; b.not_finite < 0; ++i)
+                        b.not_finite = abs(x[i]) < Real(1e30) ? -1 : i;
+                for (int k = 0; k < T::size; ++k) {
+                    b.lower[d] = std::min(b.lower[d], static_cast<double>(low[k]));
+                    b.upper[d] = std::max(b.upper[d], static_cast<double>(high[k]));
                 }
-                b.lower[d] = static_cast<double>(low);
-                b.upper[d] = static_cast<double>(high);
             }
             return b;
         },
@@ -158,21 +171,29 @@ public:
             product *= static_cast<std::size_t>(k);
         return product;
     }
-    /// The cell of coordinate x along d, before clamping or wrapping.
+    /// The cell of coordinate x along d; outside the grid, beyond its first or last one.
     int cell(int d, double x) const {
         return static_cast<int>(
             std::floor((x - lower_[static_cast<std::size_t>(d)]) * inverse_[static_cast<std::size_t>(d)]));
     }
-    /// The cell of coordinate x along d, inside the grid.
-    int inside(int d, double x) const { return std::clamp(cell(d, x), 0, n(d) - 1); }
-    /// The number of the cell of point i: rows along x, one after the other.
+    /// The numbers of the cells of points [begin, end), to[i] for point i: rows along x, one after the other. Where a
+    /// point is outside the grid, that of the cell at its rim.
     template <class Real>
-    std::uint32_t key(const Points<dim, Real>& points, int i) const {
-        std::uint32_t k = 0;
-        for (int d = dim - 1; d >= 0; --d)
-            k = k * static_cast<std::uint32_t>(n(d)) +
-                static_cast<std::uint32_t>(inside(d, static_cast<double>(points.x[static_cast<std::size_t>(d)][i])));
-        return k;
+    void find_cells(const Points<dim, Real>& points, int begin, int end, std::uint32_t* to) const {
+        const auto n = n_; // copies, which cannot change while `to` is written: so the loop is one of packs
+        const auto lower = lower_, inverse = inverse_;
+        const auto x = points.x;
+        // Truncated, not rounded downwards: below the grid both come to cell 0, and processors do it in packs.
+        const auto along = [&](std::size_t d, int i) {
+            const int c = static_cast<int>((static_cast<double>(x[d][i]) - lower[d]) * inverse[d]);
+            return static_cast<std::uint32_t>(c < 0 ? 0 : c < n[d] ? c : n[d] - 1);
+        };
+        for (int i = begin; i < end; ++i) {
+            std::uint32_t row = along(1, i);
+            if constexpr (dim == 3)
+                row += along(2, i) * static_cast<std::uint32_t>(n[1]);
+            to[i] = row * static_cast<std::uint32_t>(n[0]) + along(0, i);
+        }
     }
 
 private:
@@ -196,8 +217,7 @@ public:
         const std::size_t cells = grid.cells();
         keys.resize(static_cast<std::size_t>(points.n));
         parallel_blocks(points.n, 4096, threads, [&](int begin, int end) {
-            for (int i = begin; i < end; ++i)
-                keys[static_cast<std::size_t>(i)] = grid.key(points, i);
+            grid.find_cells(points, begin, end, keys.data());
         });
         start_.assign(cells + 1, 0);
         for (std::uint32_t k : keys)
