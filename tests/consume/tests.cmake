@@ -16,11 +16,12 @@ foreach(way find_package add_subdirectory fetch_content)
             --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
                             -DCMAKE_PREFIX_PATH=${prefix} -DEigen3_DIR=${Eigen3_DIR}
                             -DIMBIBE_SOURCE=${PROJECT_SOURCE_DIR} -DEXPECTED_VERSION=${PROJECT_VERSION}
-                            -DCMAKE_COMPILE_WARNING_AS_ERROR=${IMBIBE_STRICT}
+                            -DCMAKE_COMPILE_WARNING_AS_ERROR=${IMBIBE_STRICT} -DIMBIBE_OPENMP=${IMBIBE_OPENMP}
             --test-command program)
     set_tests_properties(consume_${way} PROPERTIES LABELS unit TIMEOUT 900)
 endforeach()
 set_tests_properties(consume_find_package PROPERTIES FIXTURES_REQUIRED imbibe_installed)
+set_tests_properties(consume_add_subdirectory PROPERTIES FIXTURES_SETUP imbibe_presets_built COST 800)
 
 # Without CMake: single calls of the compiler. See the script of each.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
@@ -41,7 +42,9 @@ function(add_way name script)
 endfunction()
 add_way(plain plain)
 add_way(strict strict)
-add_way(presets presets)
+add_way(presets presets -DLIBRARY=${PROJECT_BINARY_DIR}/consume/add_subdirectory/imbibe/libimbibe_presets.a
+        -DTHREADS=${OpenMP_CXX_FLAGS})
+set_tests_properties(consume_presets PROPERTIES FIXTURES_REQUIRED imbibe_presets_built)
 add_way(two_options two_options "-DFAST=${fast}")
 set_tests_properties(consume_two_options PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive")
 add_way(pkg_config installed -DPREFIX=${prefix} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})

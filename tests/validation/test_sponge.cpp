@@ -84,6 +84,8 @@ SpongeCase touching(int threads) {
 using namespace validate_sponge;
 
 TEST_CASE("The sponge on a strip, sound composition, through the impact", "[sponge]") {
+    if (!imbibe_test::sanitized)
+        return; // the next test goes on from there
     const Seen seen = run<SoundSponge>(strip(2e-3), 0.04);
     CHECK(seen.lost == 0);
     CHECK(seen.beyond_the_walls < 0.1 * strip(0).water_spacing);
@@ -95,10 +97,9 @@ TEST_CASE("The sponge on a strip, sound composition, through the impact", "[spon
 TEST_CASE("The sponge on a strip, sound composition", "[sponge]") {
     if (imbibe_test::sanitized)
         return; // the test before is of the same scene
-    std::map<double, Seen> runs; // by the radius of the pores, mm
-    for (const double r : {0.5, 1.0, 1.5, 2.0}) {
-        const bool to_the_end = r == 0.5 || r == 2;
-        const Seen seen = runs[r] = run<SoundSponge>(strip(r * 1e-3), to_the_end ? 0.25 : 0.1);
+    std::map<double, Seen> runs; // by the radius of the pores, mm; long/test_sponge_strip.cpp has those between
+    for (const double r : {0.5, 2.0}) {
+        const Seen seen = runs[r] = run<SoundSponge>(strip(r * 1e-3), 0.25);
         CAPTURE(r);
         CHECK(seen.lost == 0);
         CHECK(seen.beyond_the_walls <
@@ -112,15 +113,12 @@ TEST_CASE("The sponge on a strip, sound composition", "[sponge]") {
     CHECK(open.drained.back() > 0.85);
     CHECK(open.late_mean < closed.late_mean);
     // From 50 ms after the impact on, more has gone through the wider pores.
-    for (std::size_t k = 0; k < runs[1].times.size(); ++k)
-        if (runs[1].times[k] > 0.077) {
-            CAPTURE(runs[1].times[k]);
-            CHECK(closed.drained[k] < runs[1].drained[k]);
-            CHECK(runs[1].drained[k] < runs[1.5].drained[k]);
-            CHECK(runs[1.5].drained[k] < open.drained[k]);
+    for (std::size_t k = 0; k < closed.times.size(); ++k)
+        if (closed.times[k] > 0.077) {
+            CAPTURE(closed.times[k]);
+            CHECK(closed.drained[k] < open.drained[k]);
         }
-    for (const auto& [r, seen] : runs)
-        CHECK(seen.peak == Approx(closed.peak).epsilon(0.05)); // softer with wider pores, but less water stays on it
+    CHECK(open.peak == Approx(closed.peak).epsilon(0.05)); // softer with wider pores, but less water stays on it
 }
 
 TEST_CASE("The sponge on a strip, the paper's composition, through the impact", "[sponge]") {
