@@ -3,6 +3,8 @@
 #include "margins.hpp"
 #include "stability/coupled.hpp"
 
+#include <sanitized.hpp>
+
 using namespace gauntlet;
 using stability::DamBreak;
 using stability::PaperInSpace;
@@ -10,6 +12,8 @@ using stability::SoundCoupling;
 using stability::WeaklyCompressible;
 
 TEST_CASE("In space water that is shaken comes to rest, and still water stays still", "[stability]") {
+    if (imbibe_test::sanitized)
+        return; // half an hour; the cube below runs the same loops
     check_preset_in_space(stability::shaken_water<WeaklyCompressible, float, 3>);
     check_preset_in_space(stability::still_water<WeaklyCompressible, float, 3>); // rows 5 and 20
     check_stable(stability::still_water<WeaklyCompressible, double, 3>, 0.4, 0);
@@ -32,6 +36,8 @@ TEST_CASE("In space a spinning cube of water stays free of clumps and voids", "[
 }
 
 TEST_CASE("In space water falls on a plate, and a light block is let go on a pool", "[stability]") { // row 8
+    if (imbibe_test::sanitized)
+        return; // half an hour; the sponge's tests run the same loops
     check_preset_in_space(stability::water_on_plate<SoundCoupling, float, 3>, 1);
     check_preset_in_space(stability::light_block<SoundCoupling, float, 3>, 0.05);
 }
