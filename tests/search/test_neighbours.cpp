@@ -300,7 +300,7 @@ TEMPLATE_TEST_CASE("Points are numbered by the cells they are in, and outside by
 
 TEMPLATE_TEST_CASE("The bounds of points, and the first that is not a number", "[search]", float, double) {
     for (const int n : {1, 5, 8, 37}) {
-        auto cloud = random_cloud<2, TestType>(n, -1, 1, 53 + n);
+        auto cloud = random_cloud<2, TestType>(n, -1, 1, 53u + static_cast<unsigned>(n));
         for (int bad = -1; bad < n; ++bad)
             for (const auto value : {std::numeric_limits<TestType>::quiet_NaN(), TestType(-2e30)}) {
                 auto x = cloud.x[1];
