@@ -1,18 +1,30 @@
 # Compiles PROGRAM and compares what the compiler says with the lines `// expect: TEXT` in it: every TEXT must appear in
 # the output, and exactly one line may be an error. `// expect: nothing` asks for a program that compiles.
+# Without a PROGRAM it precompiles scene.hpp, which all of them begin with, as HEADER: three quarters of the time.
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+list(APPEND flags -std=c++20 -I${INCLUDE})
+foreach(folder IN LISTS EIGEN)
+    list(APPEND flags -isystem ${folder})
+endforeach()
+set(ENV{LC_ALL} C)
+if(NOT PROGRAM)
+    file(WRITE ${HEADER}.hpp "#include \"${CMAKE_CURRENT_LIST_DIR}/scene.hpp\"\n")
+    execute_process(COMMAND ${COMPILER} ${flags} -x c++-header ${HEADER}.hpp -o ${HEADER}.hpp.gch
+        COMMAND_ERROR_IS_FATAL ANY)
+    return()
+endif()
+if(COMPILER_ID MATCHES Clang)
+    list(APPEND flags -include-pch ${HEADER}.hpp.gch)
+else()
+    list(APPEND flags -include ${HEADER}.hpp)
+endif()
+
 file(STRINGS ${PROGRAM} expected REGEX "^// expect: ")
 list(TRANSFORM expected REPLACE "^// expect: " "")
 if(NOT expected)
     message(FATAL_ERROR "${PROGRAM} does not say what it expects")
 endif()
-
-separate_arguments(flags UNIX_COMMAND "${FLAGS}")
-set(folders -I${INCLUDE})
-foreach(folder IN LISTS EIGEN)
-    list(APPEND folders -isystem ${folder})
-endforeach()
-set(ENV{LC_ALL} C)
-execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only ${flags} ${folders} ${PROGRAM}
+execute_process(COMMAND ${COMPILER} -fsyntax-only ${flags} ${PROGRAM}
     RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
 
 if(expected STREQUAL "nothing")
