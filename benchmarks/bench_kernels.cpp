@@ -38,8 +38,7 @@ void evaluate(benchmark::State& state) {
     for (std::size_t k = 0; k < distances; ++k) // from the centre to a little beyond the rim, in no order
         r[k] = static_cast<Real>(1.05e-2 * static_cast<double>(k * 389 % distances) / distances);
     Pair<dim, T> ab{};
-    ab.support_radius = T(1e-2);
-    ab.inverse_support = T(1e2);
+    ab.set(SupportRadius(1e-2));
     for (auto _ : state) {
         for (std::size_t k = 0; k < distances; k += width) {
             ab.distance = T::load(r.data() + k);

@@ -41,8 +41,7 @@ double kernels() {
     for (std::size_t k = 0; k < n; ++k)
         r[k] = static_cast<Real>(1.05e-2 * static_cast<double>(k) / n);
     Pair<3, T> ab{};
-    ab.support_radius = T(1e-2);
-    ab.inverse_support = T(1e2);
+    ab.set(SupportRadius(1e-2));
     const auto add = [&](std::size_t k, auto kernel) {
         ab.distance = T::load(r.data() + k);
         const T all = T::load(w.data() + k) + ab.value(kernel) + ab.gradient(kernel);

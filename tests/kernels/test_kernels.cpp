@@ -1,8 +1,11 @@
 // Every kernel keeps the contract of kernels/kernel.hpp: unit integral, consistent derivatives, compact support.
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <type_traits>
+
+#include <imbibe/core/term.hpp>
 
 #include <catch_shim.hpp>
 
@@ -305,3 +308,63 @@ static_assert(!HasDerivativeOverQ<Spiky> && HasDerivativeOverQ<WendlandC2>);
 static_assert(!HasLaplacian<Poly6> && HasLaplacian<ViscosityKernel>);
 
 } // namespace
+
+// However a pair loop shares out the constants of a kernel, what comes out is the kernel.
+template <class Real>
+void pairs_see_the_kernel(double rounding) {
+    for_each_case([&](auto which) {
+        using C = decltype(which);
+        using K = KernelOf<C>;
+        C::for_each_dimension([&]<int dim>() {
+            using T = Number<Real>;
+            for (const double H : {0.7e-3, 0.02, 30.0}) {
+                const auto pair_at = [](double q, double support, double radius) {
+                    auto offset = Vector<T, dim>::zero();
+                    offset[0] = T(q * support);
+                    return Pair<dim, T>(offset, offset[0], SupportRadius(radius), Vector<double, dim>::zero());
+                };
+                for (double q : sample_points()) {
+                    INFO(K::name << " in " << dim << "D at q = " << q << " of H = " << H << " m");
+                    const auto ab = pair_at(q, H, H);
+                    const double r = static_cast<double>(ab.distance[0]);
+                    // Of float's numbers, what is lost where 1 - q is small as well.
+                    const double lost = 20 * rounding / (1 - q);
+                    // This one's value is a logarithm near q - 1 less a polynomial near it.
+                    const double difference = std::is_same_v<K, ViscosityKernel2D>
+                                                  ? 2 * rounding * (1 - q) * K::template normalisation<dim>() / (H * H)
+                                                  : 0;
+                    const double value = kernel_value<K, dim>(r, H), slope = kernel_derivative<K, dim>(r, H);
+                    CHECK(double(ab.value(K{})[0]) == Approx(value).epsilon(lost).margin(difference));
+                    CHECK(double(ab.gradient(K{})[0]) * r == Approx(slope).epsilon(lost).margin(0));
+                    // A pair with a shorter support is that of the shorter support.
+                    const auto narrow = pair_at(q, H, 3 * H).within(H);
+                    CHECK(narrow.value(K{})[0] == ab.value(K{})[0]);
+                    CHECK(narrow.gradient(K{})[0] == ab.gradient(K{})[0]);
+                    CHECK(ab.within(2 * H).gradient(K{})[0] == ab.gradient(K{})[0]);
+                }
+                INFO(K::name << " in " << dim << "D beyond the rim of H = " << H << " m");
+                for (double q : {1.00001, 1.5}) {
+                    CHECK(pair_at(q, H, H).value(K{})[0] == Real(0));
+                    CHECK(pair_at(q, H, H).gradient(K{})[0] == Real(0));
+                }
+            }
+        });
+    });
+}
+
+TEST_CASE("a pair sees the kernel's value and slope at its distance, and of a shorter support those of that") {
+    pairs_see_the_kernel<double>(2.3e-16);
+    pairs_see_the_kernel<float>(1.2e-7);
+}
+
+TEST_CASE("the cube root is the same when compiling") {
+    static constexpr std::array numbers{0.0, 1e-300, 1.7e-9, 0.2, 1.0, 8.0, 27.0, 3.3e14, 1e300};
+    constexpr auto roots = [] {
+        std::array<double, numbers.size()> found{};
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            found[k] = cube_root(numbers[k]);
+        return found;
+    }();
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        CHECK(roots[k] == Approx(std::cbrt(numbers[k])).epsilon(4e-16).margin(0));
+}

@@ -53,8 +53,7 @@ Pair<dim, Number<double>> geometry(const Particle<dim, Number<double>, A>& a, co
     using T = Number<double>;
     const auto offset =
         detail::uses_reference<Part> ? a[reference_position] - b[reference_position] : a[position] - b[position];
-    const double support = a.material.support_radius;
-    return {offset, norm(offset), T(support), T(1 / support), from_eigen<double, dim>(g)};
+    return {offset, norm(offset), SupportRadius(a.material.support_radius), from_eigen<double, dim>(g)};
 }
 
 /// The sum of a pair part over all sources, themselves among them, for one target.

@@ -93,7 +93,7 @@ Particle<dim, T, Material> as(const Particle<dim, Number<double>, Material>& par
 template <int dim, class T, class A, class B>
 Pair<dim, T> pair_of(const Particle<dim, T, A>& a, const Particle<dim, T, B>& b, double support = H) {
     const auto offset = a[position] - b[position];
-    return {offset, norm(offset), T(support), T(1 / support), Vector<double, dim>::zero()};
+    return {offset, norm(offset), SupportRadius(support), Vector<double, dim>::zero()};
 }
 
 template <int dim>

@@ -83,7 +83,7 @@ constexpr auto dry_run() {
     const A a{seen.a};
     if constexpr (is_pair_part<Part, dim, MaterialA, MaterialB>) {
         using T = Number<double>;
-        Pair<dim, T> ab{Vector<T, dim>::filled(T(0.25)), T(0.5), T(1), T(1), Vector<double, dim>::filled(1.0)};
+        Pair<dim, T> ab{Vector<T, dim>::filled(T(0.25)), T(0.5), SupportRadius(1), Vector<double, dim>::filled(1.0)};
         (void)part(a, B{seen.b}, ab);
     } else {
         (void)part(a);

@@ -408,6 +408,22 @@ IMBIBE_INLINE constexpr T power(T x) {
     }
 }
 
+/// The cube root of x >= 0, at compile time too.
+constexpr double cube_root(double x) {
+    if (!std::is_constant_evaluated())
+        return std::cbrt(x);
+    if (!(x > 0))
+        return 0;
+    double root = 1;
+    while (root * root * root < x)
+        root *= 2;
+    while (root * root * root > 8 * x)
+        root /= 2;
+    for (int k = 0; k < 8; ++k) // Newton's: from at most twice the root, the error is squared each time
+        root -= (root - x / (root * root)) / 3;
+    return root;
+}
+
 /// x squared.
 template <class T>
 IMBIBE_INLINE constexpr T sq(T x) {

@@ -21,6 +21,7 @@
 #include <imbibe/core/fields.hpp>
 #include <imbibe/core/rule.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -64,6 +65,16 @@ IMBIBE_INLINE constexpr std::tuple<T...> values(const T&... v) {
     return {v...};
 }
 
+/// A support radius and the powers of it that kernels are made of.
+struct SupportRadius {
+    double radius;            ///< H, m
+    double inverse;           ///< 1/H, 1/m
+    double inverse_cube_root; ///< H^(-1/3), m^(-1/3)
+
+    /// Of H > 0, m.
+    constexpr explicit SupportRadius(double H) : radius(H), inverse(1 / H), inverse_cube_root(cube_root(1 / H)) {}
+};
+
 /// The geometry of a pair as seen by particle a: everything that depends on positions alone.
 template <int dim, class T>
 struct Pair {
@@ -71,7 +82,31 @@ struct Pair {
     T distance;                      ///< |x_a - x_b|, m
     T support_radius;                ///< H, m
     T inverse_support;               ///< 1/H, 1/m
+    T inverse_support_cube_root;     ///< H^(-1/3), m^(-1/3)
     Vector<double, dim> gravity_now; ///< the scene's gravity, m/s^2
+
+    Pair() = default;
+    /// A pair at `offset_ab`; its `distance` is |offset_ab|.
+    constexpr Pair(const Vector<T, dim>& offset_ab, T distance_ab, const SupportRadius& support,
+                   const Vector<double, dim>& gravity)
+        : offset(offset_ab), distance(distance_ab), gravity_now(gravity) {
+        set(support);
+    }
+    /// Gives it this support radius.
+    IMBIBE_INLINE constexpr void set(const SupportRadius& support) {
+        support_radius = T(support.radius);
+        inverse_support = T(support.inverse);
+        inverse_support_cube_root = T(support.inverse_cube_root);
+    }
+    /// The same pair, if its support radius were not above `reach`, m.
+    IMBIBE_INLINE constexpr Pair within(double reach) const {
+        const SupportRadius narrow(std::max(reach, 1e-30));
+        Pair pair = *this;
+        pair.support_radius = min(support_radius, T(narrow.radius));
+        pair.inverse_support = max(inverse_support, T(narrow.inverse));
+        pair.inverse_support_cube_root = max(inverse_support_cube_root, T(narrow.inverse_cube_root));
+        return pair;
+    }
 
     /// 1 / max(|x_a - x_b|, 1e-6 H): finite also for the particle itself.
     IMBIBE_INLINE constexpr T inverse_distance() const { return T(1) / max(distance, T(1e-6) * support_radius); }
@@ -85,6 +120,8 @@ struct Pair {
     IMBIBE_INLINE constexpr T value(Kernel) const {
         if constexpr (!is_kernel<Kernel>)
             return not_a_kernel<Kernel>();
+        else if constexpr (requires(T x) { Kernel::value(x, x); })
+            return Kernel::value(q(), scale<dim>(factor<Kernel>));
         else
             return scale<dim>(factor<Kernel>) * Kernel::value(q());
     }
@@ -93,7 +130,12 @@ struct Pair {
     IMBIBE_INLINE constexpr T gradient(Kernel) const {
         if constexpr (!is_kernel<Kernel>)
             return not_a_kernel<Kernel>();
-        else if constexpr (requires(T x) { Kernel::derivative_over_q(x, x); })
+        else if constexpr (requires { Kernel::cubic_slope; }) {
+            // -c (1 - r/H)^3 = (k r/H - k)^3 with k^3 = c: so c takes no multiplication in the pair loop.
+            constexpr double root = cube_root(Kernel::cubic_slope * factor<Kernel>);
+            const T k = T(root) * inverse_support * power<dim - 1>(inverse_support_cube_root);
+            return power<3>(negative_part(distance * (k * inverse_support) - k));
+        } else if constexpr (requires(T x) { Kernel::derivative_over_q(x, x); })
             return Kernel::derivative_over_q(q(), scale<dim + 2>(factor<Kernel>));
         else if constexpr (requires(T x) { Kernel::derivative_over_q(x); })
             return scale<dim + 2>(factor<Kernel>) * Kernel::derivative_over_q(q());

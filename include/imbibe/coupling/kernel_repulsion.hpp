@@ -63,13 +63,9 @@ struct KernelRepulsion {
     Parameters parameters{};
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        using T = std::remove_cvref_t<decltype(ab.distance)>;
-        auto pair = ab;
-        if (parameters.range > 0) {
-            const double reach = parameters.range * 0.5 * (a.material.spacing + b.material.spacing);
-            pair.support_radius = min(ab.support_radius, T(reach)); // pairs further apart than that are not looked at
-            pair.inverse_support = max(ab.inverse_support, T(1 / max(reach, 1e-30)));
-        }
+        // Pairs further apart than that are not looked at.
+        const double reach = parameters.range * 0.5 * (a.material.spacing + b.material.spacing);
+        const auto pair = parameters.range > 0 ? ab.within(reach) : ab;
         return along(ab, -(parameters.stiffness * b[mass] / (a[density] * b[density])) * pair.gradient(Kernel{}));
     }
 

@@ -29,10 +29,10 @@ namespace imbibe {
 /// (positive_part), never through a branch, so a sweep needs no test of the distance.
 /// `normalisation` refuses, with a readable line, a dimension in which the kernel has another shape.
 ///
-/// Two members are optional: see HasDerivativeOverQ and HasLaplacian.
+/// Three members are optional: see HasDerivativeOverQ, HasCubicSlope and HasLaplacian.
 ///
-/// Where a function begins with a number, it may take a second argument, `T scale = T(1)`, that multiplies it: a sweep
-/// gives the constant of the support there, and the product of the two is no work in the pair loop.
+/// Where a function has numbers of its own, it may take a second argument, `T scale = T(1)`, that multiplies it: a
+/// sweep gives the constant of the support there, and its products with those numbers are no work in the pair loop.
 template <class K>
 concept Kernel = requires(double q, float p) {
     { K::name } -> std::convertible_to<const char*>;
@@ -49,6 +49,13 @@ concept Kernel = requires(double q, float p) {
 template <class K>
 concept HasDerivativeOverQ = Kernel<K> && requires(double q) {
     { K::derivative_over_q(q) } -> std::same_as<double>;
+};
+
+/// Such a kernel with w'(q)/q = -cubic_slope (1 - q)^3, cubic_slope > 0, up to q = 1: a pair loop multiplies 1 - q by
+/// the cube root of all constants, which costs nothing, where their product would take one multiplication more.
+template <class K>
+concept HasCubicSlope = HasDerivativeOverQ<K> && requires {
+    { K::cubic_slope } -> std::convertible_to<double>;
 };
 
 /// A kernel made for its Laplacian, offered as `laplacian(q)`:

@@ -37,8 +37,8 @@ struct WendlandC2 {
     }
     /// w(q) = (1 - q)^4 (1 + 4 q)
     template <class T>
-    IMBIBE_INLINE static constexpr T value(T q) {
-        return power<4>(positive_part(T(1) - q)) * (T(1) + T(4) * q);
+    IMBIBE_INLINE static constexpr T value(T q, T scale = T(1)) {
+        return power<4>(positive_part(T(1) - q)) * (scale + (T(4) * scale) * q);
     }
     /// w'(q) = -20 q (1 - q)^3
     template <class T>
@@ -48,8 +48,10 @@ struct WendlandC2 {
     /// w'(q)/q = -20 (1 - q)^3
     template <class T>
     IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
-        return (T(-20) * scale) * power<3>(positive_part(T(1) - q));
+        return (T(-cubic_slope) * scale) * power<3>(positive_part(T(1) - q));
     }
+    /// See HasCubicSlope.
+    static constexpr double cubic_slope = 20;
 };
 
 /// w(q) = (1 - q)^6 (1 + 6 q + 35/3 q^2). Support radius H.
@@ -68,8 +70,8 @@ struct WendlandC4 {
     }
     /// w(q) = (1 - q)^6 (1 + 6 q + 35/3 q^2)
     template <class T>
-    IMBIBE_INLINE static constexpr T value(T q) {
-        return power<6>(positive_part(T(1) - q)) * (T(1) + q * (T(6) + T(35.0 / 3) * q));
+    IMBIBE_INLINE static constexpr T value(T q, T scale = T(1)) {
+        return power<6>(positive_part(T(1) - q)) * (scale + q * (T(6) * scale + (T(35.0 / 3) * scale) * q));
     }
     /// w'(q) = -56/3 q (1 + 5 q) (1 - q)^5
     template <class T>
@@ -79,7 +81,7 @@ struct WendlandC4 {
     /// w'(q)/q = -56/3 (1 + 5 q) (1 - q)^5
     template <class T>
     IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
-        return (T(-56.0 / 3) * scale) * power<5>(positive_part(T(1) - q)) * (T(1) + T(5) * q);
+        return power<5>(positive_part(T(1) - q)) * (T(-56.0 / 3) * scale + (T(-5 * 56.0 / 3) * scale) * q);
     }
 };
 
@@ -99,8 +101,9 @@ struct WendlandC6 {
     }
     /// w(q) = (1 - q)^8 (1 + 8 q + 25 q^2 + 32 q^3)
     template <class T>
-    IMBIBE_INLINE static constexpr T value(T q) {
-        return power<8>(positive_part(T(1) - q)) * (T(1) + q * (T(8) + q * (T(25) + T(32) * q)));
+    IMBIBE_INLINE static constexpr T value(T q, T scale = T(1)) {
+        return power<8>(positive_part(T(1) - q)) *
+               (scale + q * (T(8) * scale + q * (T(25) * scale + (T(32) * scale) * q)));
     }
     /// w'(q) = -22 q (1 + 7 q + 16 q^2) (1 - q)^7
     template <class T>
@@ -110,7 +113,8 @@ struct WendlandC6 {
     /// w'(q)/q = -22 (1 + 7 q + 16 q^2) (1 - q)^7
     template <class T>
     IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
-        return (T(-22) * scale) * power<7>(positive_part(T(1) - q)) * (T(1) + q * (T(7) + T(16) * q));
+        return power<7>(positive_part(T(1) - q)) *
+               (T(-22) * scale + q * (T(-7 * 22) * scale + (T(-16 * 22) * scale) * q));
     }
 };
 

@@ -168,7 +168,7 @@ private:
         // over them, and compute what follows from them for every run.
         const P material = s.material;
         const std::tuple<typename S::B...> others{this->template state<typename S::B>().material...};
-        const std::array<double, sizeof...(S)> supports{std::get<k>(sources).support...};
+        const std::array<SupportRadius, sizeof...(S)> supports{SupportRadius(std::get<k>(sources).support)...};
         const AllParts own_parts = parts;
         const Vector<double, dim> gravity_now = this->gravity;
         for (int i = begin; i < end; ++i) {

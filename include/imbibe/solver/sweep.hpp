@@ -251,15 +251,14 @@ template <class S, class ListB, class... N, class A, class ListA, class Adds, cl
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
                           const PhaseState<A, ListA, dim, Real>& state, const Own& a,
-                          const SourceData<dim, ListB, Real, width>& source, double support,
+                          const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
                           const typename S::B& material_b, int i, const PartTuple& parts) {
     using T = Pack<Real, width>;
     using B [[maybe_unused]] = NeighbourView<typename S::B, ListB, dim, Real, width>;
     using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
     constexpr int place_a = component_offset<dim, Place, ListA>, place_b = component_offset<dim, Place, ListB>;
     Pair<dim, T> ab;
-    ab.support_radius = T(static_cast<Real>(support));
-    ab.inverse_support = T(static_cast<Real>(1 / support));
+    ab.set(support);
     ab.gravity_now = a.gravity_now;
     const search::RunList::Range own_runs = (*source.runs)[i];
     // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before
