@@ -34,7 +34,13 @@ struct Known {
 };
 inline std::vector<Measured> measure(int across) {
     std::vector<Measured> found;
-    for (const Known& a : {Known{.027, 2.008}, {.125, 4.292}, {.343, 15.4}, {.45, 28.1}})
+    for (const Known& a : {Known{.027, 2.008},
+                           {.064, 2.810},
+                           {.125, 4.292},
+                           {.216, 7.442},
+                           {.343, 15.4},
+                           {.45, 28.1},
+                           {.5236, 42.1}}) // the last ones touch
         found.push_back({sph::text("K, c = ", a.fraction), "8 % at 24 to 32", drag(across, a.fraction), a.K});
     return found;
 }

@@ -9,9 +9,9 @@
 // Scheme: Wendland C2 of 3 spacings, density diffusion, ClearyViscosity, which knows what a free surface is; sound is
 // 10 sqrt(g H).
 // Measure: the velocity's share of the first mode, s = sum of v.v(0) over the particles where they are. It passes zero
-// twice a period; between, s^2 is the kinetic energy of the mode at its greatest. The rate is the slope of the logarithm
-// of those peaks. (All kinetic energy in the place of s^2 has that of the sound waves of the start in it, which at
-// Re = 50 is as much as is left of the wave after four periods: the rate came out 8 to 11 % too low.)
+// twice a period; between, s^2 is the kinetic energy of the mode at its greatest. The rate is the slope of the
+// logarithm of those peaks. (All kinetic energy in the place of s^2 has that of the sound waves of the start in it,
+// which at Re = 50 is as much as is left of the wave after four periods: the rate came out 8 to 11 % too low.)
 #pragma once
 
 #include "case.hpp"
@@ -107,10 +107,11 @@ inline Wave swing(int across, double Re, int half_periods) {
 
 inline std::vector<Measured> measure(int across) {
     std::vector<Measured> found;
-    for (const double Re : {50., 250.}) {
+    for (const double Re : {50., 250., 500., 2500.}) {
         const Wave wave = swing(across, Re, 8), reference = exact(Re);
         found.push_back({sph::text("period, s, Re = ", Re), "1 %", wave.period, reference.period});
-        found.push_back({sph::text("rate of decay, 1/s, Re = ", Re), "5 %", wave.rate, reference.rate});
+        found.push_back(
+            {sph::text("rate of decay, 1/s, Re = ", Re), Re <= 500 ? "5 %" : "none given", wave.rate, reference.rate});
     }
     return found;
 }
