@@ -50,7 +50,6 @@ Cloud<dim, Material> block(const Material& material, int n, double jitter, unsig
 template <class Part, int dim, class A, class B>
 Pair<dim, Number<double>> geometry(const Particle<dim, Number<double>, A>& a, const Particle<dim, Number<double>, B>& b,
                                    const Column<dim>& g = Column<dim>::Zero()) {
-    using T = Number<double>;
     const auto offset =
         detail::uses_reference<Part> ? a[reference_position] - b[reference_position] : a[position] - b[position];
     return {offset, norm(offset), SupportRadius(a.material.support_radius), from_eigen<double, dim>(g)};
