@@ -177,7 +177,7 @@ TEST_CASE("ArtificialStress: compression has none, tension repels, and Spiky's f
     CHECK(acceleration_at(S{}, 4e-4, -1e4) < 0); // the neighbour is on the right
     // what the comment of the term says of its factors: at two thirds of the spacing and at contact
     const auto factor = [](auto kernel, double d) {
-        const Pair<3, Number<double>> ab{{d, 0, 0}, d, H, 1 / H, {}};
+        const Pair<3, Number<double>> ab({d, 0, 0}, d, SupportRadius(H), {});
         return plain(power<4>(ab.relative_value(kernel, 5e-4)));
     };
     CHECK(factor(Spiky{}, 1e-3 / 3) == Approx(31.57).epsilon(1e-3));
