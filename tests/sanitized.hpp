@@ -1,5 +1,5 @@
 // Is a test compiled with a sanitizer? Such a build takes steps twenty times as long: what runs for minutes is then run
-// for a part of its time.
+// for a part of its time, or not at all where the test names others that run the same loops.
 #pragma once
 
 namespace imbibe_test {

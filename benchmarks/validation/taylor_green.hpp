@@ -5,7 +5,8 @@
 // Scheme: quintic spline of 3 spacings, density diffusion, Morris' viscosity, shifting with a strength of 4 and a least
 // speed of U; sound is 10 U; or any other fluid. Particles start with the pressure of the exact solution. (Wendland C2
 // in the spline's place leaves speeds at t = 2 1.8 to 2.6 % too high with 100 across, Re = 100.)
-// Measure: the greatest speed of any particle, and the least and greatest sum of V W over neighbours: voids and clumps.
+// Measure: the greatest speed of any particle, and the least and greatest sum of V W over neighbours, with W of
+// Wendland C2 whatever the scheme's kernel is: voids and clumps.
 #pragma once
 
 #include "case.hpp"
@@ -118,8 +119,8 @@ Decay decay(const Run& run, const std::vector<double>& times, Liquid liquid = {}
             norm2 += right.squaredNorm();
             greatest2 = std::max(greatest2, v.squaredNorm());
         }
-        seen.at.push_back({std::sqrt(greatest2) / left, sph::kinetic_energy(view) / (0.25 * left * left),
-                           std::sqrt(error2 / norm2)});
+        seen.at.push_back(
+            {std::sqrt(greatest2) / left, sph::kinetic_energy(view) / (0.25 * left * left), std::sqrt(error2 / norm2)});
     }
     if (run.neighbours)
         count_neighbours(view, spacing, H, seen);
@@ -134,8 +135,7 @@ inline std::vector<Measured> measure(int across) {
         for (const double jitter : {0.0, 0.2}) {
             Shifted<sph::QuinticSpline> liquid;
             liquid.set(strong_shifting);
-            const Decay seen =
-                decay({.across = double(across), .reynolds = reynolds, .jitter = jitter}, times, liquid);
+            const Decay seen = decay({.across = double(across), .reynolds = reynolds, .jitter = jitter}, times, liquid);
             const auto name = sph::text(", Re = ", reynolds, jitter > 0 ? ", jittered" : ", from a lattice");
             for (std::size_t k = 0; k < times.size(); ++k) {
                 const double exact = std::exp(-8 * sph::sq(std::numbers::pi) * times[k] / reynolds);

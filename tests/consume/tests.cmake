@@ -25,7 +25,11 @@ set_tests_properties(consume_add_subdirectory PROPERTIES FIXTURES_SETUP imbibe_p
 
 # Without CMake: single calls of the compiler. See the script of each.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-set(fast "-O3 ${OpenMP_CXX_FLAGS}")
+set(threads "")
+if(IMBIBE_OPENMP AND OpenMP_CXX_FOUND)
+    set(threads ${OpenMP_CXX_FLAGS})
+endif()
+set(fast "-O3 ${threads}")
 if(imbibe_march_native)
     string(APPEND fast " -march=native")
 endif()
@@ -43,7 +47,7 @@ endfunction()
 add_way(plain plain)
 add_way(strict strict)
 add_way(presets presets -DLIBRARY=${PROJECT_BINARY_DIR}/consume/add_subdirectory/imbibe/libimbibe_presets.a
-        -DTHREADS=${OpenMP_CXX_FLAGS})
+        -DTHREADS=${threads})
 set_tests_properties(consume_presets PROPERTIES FIXTURES_REQUIRED imbibe_presets_built)
 add_way(two_options two_options "-DFAST=${fast}")
 set_tests_properties(consume_two_options PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive")

@@ -276,6 +276,7 @@ constexpr bool usable_in_constants() {
     return K::value(0.25) > K::value(0.5) && K::value(1.0) == 0.0 && K::derivative(0.5) < 0.0 &&
            K::derivative(1.0) == 0.0 && K::value(0.5f) > 0.0f && K::value(Number<double>(0.5)).lanes == K::value(0.5);
 }
+static_assert(HasCubicSlope<WendlandC2> && !HasCubicSlope<WendlandC4> && !HasCubicSlope<CubicSpline>);
 static_assert(usable_in_constants<Spiky>());
 static_assert(usable_in_constants<Poly6>());
 static_assert(usable_in_constants<CubicSpline>());

@@ -298,7 +298,8 @@ TEMPLATE_TEST_CASE("Points are numbered by the cells they are in, and outside by
     }
 }
 
-TEMPLATE_TEST_CASE("The bounds of points, and the first that is not a number", "[search]", float, double) {
+TEMPLATE_TEST_CASE("The bounds of points, and the first that is not finite or beyond all bounds", "[search]", float,
+                   double) {
     for (const int n : {1, 5, 8, 37}) {
         auto cloud = random_cloud<2, TestType>(n, -1, 1, 53u + static_cast<unsigned>(n));
         for (int bad = -1; bad < n; ++bad)

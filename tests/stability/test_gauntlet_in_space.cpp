@@ -13,7 +13,7 @@ using stability::WeaklyCompressible;
 
 TEST_CASE("In space water that is shaken comes to rest, and still water stays still", "[stability]") {
     if (imbibe_test::sanitized)
-        return; // half an hour; the cube below runs the same loops
+        return; // half an hour; the block below runs the same loops (in double: in the plane, test_gauntlet_fluids.cpp)
     check_preset_in_space(stability::shaken_water<WeaklyCompressible, float, 3>);
     check_preset_in_space(stability::still_water<WeaklyCompressible, float, 3>); // rows 5 and 20
     check_stable(stability::still_water<WeaklyCompressible, double, 3>, 0.4, 0);

@@ -132,6 +132,9 @@ struct Pair {
             return not_a_kernel<Kernel>();
         else if constexpr (requires { Kernel::cubic_slope; }) {
             // -c (1 - r/H)^3 = (k r/H - k)^3 with k^3 = c: so c takes no multiplication in the pair loop.
+            static_assert(Kernel::cubic_slope > 0 && Kernel::derivative_over_q(0.0) == -Kernel::cubic_slope,
+                          "imbibe: a kernel's cubic_slope must be above 0, and its derivative_over_q(q) equal to "
+                          "-cubic_slope (1 - q)^3");
             constexpr double root = cube_root(Kernel::cubic_slope * factor<Kernel>);
             const T k = T(root) * inverse_support * power<dim - 1>(inverse_support_cube_root);
             return power<3>(negative_part(distance * (k * inverse_support) - k));

@@ -52,7 +52,7 @@ concept HasDerivativeOverQ = Kernel<K> && requires(double q) {
 };
 
 /// Such a kernel with w'(q)/q = -cubic_slope (1 - q)^3, cubic_slope > 0, up to q = 1: a pair loop multiplies 1 - q by
-/// the cube root of all constants, which costs nothing, where their product would take one multiplication more.
+/// the cube root of all constants, which takes no instruction of its own, where their product takes a multiplication.
 template <class K>
 concept HasCubicSlope = HasDerivativeOverQ<K> && requires {
     { K::cubic_slope } -> std::convertible_to<double>;

@@ -174,7 +174,7 @@ struct IMBIBE_PER_BUILD Reach {
         using Rows = RowsAround<dim>;
         constexpr double slack = 1e-4;
         static constexpr Weights weights;
-        const auto square = [](double gap) { return sq(min(T(static_cast<float>(gap)), T(1e9f))); }; // not infinite
+        const auto square = [](double gap) { return sq(T(static_cast<float>(std::min(gap, 1e9)))); }; // not infinite
         const float room2 = static_cast<float>(sq(support) * (1 + 1e-5));
         const float least = static_cast<float>(x + before - slack), most = static_cast<float>(x + before + 1 + slack);
         const T y0 = square(below[0]), y1 = square(above[0]), z0 = square(below[1]), z1 = square(above[1]);
