@@ -308,8 +308,6 @@ static_assert(!Kernel<double>);
 static_assert(!HasDerivativeOverQ<Spiky> && HasDerivativeOverQ<WendlandC2>);
 static_assert(!HasLaplacian<Poly6> && HasLaplacian<ViscosityKernel>);
 
-} // namespace
-
 // However a pair loop shares out the constants of a kernel, what comes out is the kernel.
 template <class Real>
 void pairs_see_the_kernel(double rounding) {
@@ -352,6 +350,8 @@ void pairs_see_the_kernel(double rounding) {
         });
     });
 }
+
+} // namespace
 
 TEST_CASE("a pair sees the kernel's value and slope at its distance, and of a shorter support those of that") {
     pairs_see_the_kernel<double>(2.3e-16);
