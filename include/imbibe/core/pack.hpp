@@ -72,16 +72,21 @@ struct MaskStorage<Real, 1> {
     using type = bool;
 };
 
-/// Is a pack of this kind one whole AVX-512 register?
-template <class Real, int width>
-inline constexpr bool fills_avx512 =
-#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
-    width * sizeof(Real) == 64;
+// Should quotients and roots of whole AVX-512 registers begin with the processor's estimate? On most processors the
+// instructions hold up all else. On Zen they work beside the multiply-adds, and the estimate and its Newton's steps cost
+// a tenth of a pair loop (docs/speed.md). Compilers that do not know Zen 4 take it for a Zen 3 that has AVX-512.
+#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__) && !defined(__znver3__) && !defined(__znver4__) &&                 \
+    !defined(__znver5__)
+#define IMBIBE_ESTIMATES 1
 #else
-    false;
+#define IMBIBE_ESTIMATES 0
 #endif
 
-#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+/// Are a pack's quotients and roots of this kind made from estimates?
+template <class Real, int width>
+inline constexpr bool estimates = IMBIBE_ESTIMATES != 0 && width * sizeof(Real) == 64;
+
+#if IMBIBE_ESTIMATES
 // Quotient and root from the processor's estimates of 14 bits and Newton's steps, each of which doubles them. The
 // zero-masking forms with a full mask are the plain instructions; g++ 12 warns of an uninitialised value inside its own
 // header for the unmasked ones.
@@ -186,11 +191,12 @@ struct Pack {
     friend IMBIBE_INLINE constexpr Pack operator+(Pack a, Pack b) { return made(a.lanes + b.lanes); }
     friend IMBIBE_INLINE constexpr Pack operator-(Pack a, Pack b) { return made(a.lanes - b.lanes); }
     friend IMBIBE_INLINE constexpr Pack operator*(Pack a, Pack b) { return made(a.lanes * b.lanes); }
-    /// Correctly rounded, but for whole AVX-512 registers, where it is by a reciprocal that is improved to the last bit
-    /// or the one before it: the divider would hold up everything else. There |b| must be from 1e-37 to 1e37.
+    /// Correctly rounded, but for whole AVX-512 registers on processors other than Zen, where it is by a reciprocal that
+    /// is improved to the last bit or the one before it: the divider would hold up everything else. There |b| must be
+    /// from 1e-37 to 1e37.
     friend IMBIBE_INLINE constexpr Pack operator/(Pack a, Pack b) {
-#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
-        if constexpr (detail::fills_avx512<Real, width>)
+#if IMBIBE_ESTIMATES
+        if constexpr (detail::estimates<Real, width>)
             if (!std::is_constant_evaluated())
                 return made(detail::divide(a.lanes, b.lanes));
 #endif
@@ -363,13 +369,20 @@ IMBIBE_INLINE constexpr T abs(T x) {
 }
 
 /// The square root of x >= 0. At width > 1 without a call, which std::sqrt would be without -fno-math-errno; for whole
-/// AVX-512 registers within the last bit, by Newton's method, which is faster than the instruction.
+/// AVX-512 registers on processors other than Zen within the last bit, by Newton's method, which is faster there than
+/// the instruction.
 template <class Real, int width>
 IMBIBE_INLINE constexpr Pack<Real, width> sqrt(Pack<Real, width> a) {
     using P [[maybe_unused]] = Pack<Real, width>;
-#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
-    if constexpr (detail::fills_avx512<Real, width>)
+#if IMBIBE_ESTIMATES
+    if constexpr (detail::estimates<Real, width>)
         return P(detail::root(a.lanes));
+    else
+#elif IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
+    if constexpr (width * sizeof(Real) == 64 && sizeof(Real) == 4)
+        return P(typename P::Lanes(_mm512_maskz_sqrt_ps(0xffff, __m512(a.lanes))));
+    else if constexpr (width * sizeof(Real) == 64)
+        return P(typename P::Lanes(_mm512_maskz_sqrt_pd(0xff, __m512d(a.lanes))));
     else
 #elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
     if constexpr (width * sizeof(Real) == 32 && sizeof(Real) == 4)
