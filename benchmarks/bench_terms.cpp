@@ -79,7 +79,7 @@ void alone(benchmark::State& state) {
 #define BETWEEN(phase, other, name, ...) BENCHMARK(alone<Between<phase, other, __VA_ARGS__>>)->Name(name)
 
 WITHIN(Fluid, "Continuity", Continuity<K>);
-WITHIN(Fluid, "VolumeContinuity", VolumeContinuity<K>);
+WITHIN(Fluid, "VolumeContinuity", VolumeContinuity<K>::Sweep);
 WITHIN(Fluid, "DensityDiffusion", DensityDiffusion<K>::Smooth);
 WITHIN(Fluid, "SymmetricPressure", SymmetricPressure<K>::Push);
 WITHIN(Fluid, "VolumePressure", VolumePressure<K>::Push);

@@ -51,7 +51,8 @@ struct WideRepulsion : ModifiedRepulsion {
 template <int dim>
 using EveryPairPart = TypeList<
     Case<Continuity<Spiky>, Water, Water, false>, Case<Continuity<Poly6, smoothed_velocity>, Sponge, Sponge, false>,
-    Case<VolumeContinuity<Spiky>, Water, Sponge, false>, Case<SymmetricPressure<Spiky>::Push, Water, Water, true>,
+    Case<VolumeContinuity<Spiky>::Sweep, Water, Sponge, false>,
+    Case<SymmetricPressure<Spiky>::Push, Water, Water, true>,
     Case<SymmetricPressure<Spiky>::Push, Water, Sponge, true>, Case<Laminar<dim>, Water, Water, true>,
     Case<Laminar<dim>, Water, Sponge, true>, Case<MonaghanViscosity<Spiky>, Sponge, Sponge, true>,
     Case<MonaghanViscosity<Spiky>, Water, Sponge, true>, Case<VelocityGradient<Spiky>, Sponge, Sponge, false>,

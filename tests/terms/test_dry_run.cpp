@@ -63,7 +63,9 @@ TEST_CASE("the dry run sees which side of a pair is read") {
 
     CHECK(sides<Continuity<Spiky>, Mass, Water>(mass) == "b");
     CHECK(sides<Continuity<Spiky>, Velocity, Water>(velocity) == "ab");
-    CHECK(sides<VolumeContinuity<Spiky>, Density, Water, Sponge>(density) == "ab");
+    using Sweep = VolumeContinuity<Spiky>::Sweep;
+    CHECK(sides<Sweep, Density, Water, Sponge>(density) == "a");
+    CHECK(sides<Sweep, VolumeField, Water, Sponge>(volume) == "b");
     CHECK(sides<LaminarViscosity<>, Mass, Water>(mass) == "b");
     CHECK(sides<LaminarViscosity<>, Density, Sponge, Water>(density) == "ab");
     CHECK(sides<MonaghanViscosity<Spiky>, Mass, Sponge>(mass) == "b");

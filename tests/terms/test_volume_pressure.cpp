@@ -55,8 +55,8 @@ void check_virtual_work() {
     const auto account = [&](const auto& fluid) {
         for (const auto& a : fluid) {
             const auto force = sum(VolumePressure<>::Push{}, a, water) + sum(VolumePressure<>::Push{}, a, air);
-            const double rate = plain(sum(VolumeContinuity<WendlandC2>{}, a, water)) +
-                                plain(sum(VolumeContinuity<WendlandC2>{}, a, air));
+            const double rate = plain(sum(VolumeContinuity<WendlandC2>::Sweep{}, a, water)) +
+                                plain(sum(VolumeContinuity<WendlandC2>::Sweep{}, a, air));
             const double power = plain(a[mass]) * plain(force).dot(plain(a[velocity]));
             kinetic += power;
             internal += plain(a[volume]) * plain(a[pressure]) / plain(a[density]) * rate;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/core/term.hpp>
+#include <imbibe/fluid/volume.hpp>
 
 namespace imbibe {
 
@@ -31,6 +32,9 @@ struct Continuity {
 /// The rate of compression as seen by volumes: what the neighbour's volume sweeps counts, not what it weighs. The
 /// form for couplings, where densities and particle volumes differ, and for fluids with a jump of the density.
 ///
+/// Volumes are those of Volume, which VolumePressure and DensityDiffusion share. In a coupling under `Into<Water, ...>`
+/// the other phase needs its own from somewhere: from VolumePressure without `Into`, or from Volume among its terms.
+///
 /// Not where the density must stay the sum of the masses around a particle to the last digit: over a long run this
 /// form drifts from it.
 ///
@@ -38,13 +42,16 @@ struct Continuity {
 template <class Kernel, auto velocity_field = velocity>
 struct VolumeContinuity {
     using effect = effects::continuity_equation;
-    using reads = Fields<mass, density, velocity_field>;
-    using adds = Fields<density_rate>;
+    struct Sweep {
+        using reads = Fields<density, volume, velocity_field>;
+        using adds = Fields<density_rate>;
 
-    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        return a[density] * (b[mass] / b[density]) * dot(a[velocity_field] - b[velocity_field], ab.offset) *
-               ab.gradient(Kernel{});
-    }
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            return a[density] * b[volume] * dot(a[velocity_field] - b[velocity_field], ab.offset) *
+                   ab.gradient(Kernel{});
+        }
+    };
+    using parts = Parts<Volume, Sweep>;
 };
 
 } // namespace imbibe
