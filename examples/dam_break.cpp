@@ -15,7 +15,8 @@ using Scene = sph::Solver<3, double, sph::SymplecticEuler, Water, Tank, Sides>;
 
 int main() {
     const double dx = 0.02, end = 1.0;
-    Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx});
+    // Neighbours are looked for a tenth of the support further, and serve until somebody may have come that near.
+    Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx, .search_interval = 100, .search_skin = 0.1});
     Water water{{.density = 1000, .sound_speed = 45}};
     water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
     scene.add(water, sph::fill(sph::Box<3>({0, 0, 0}, {0.5, 0.3, 0.5}), dx), dx);

@@ -108,7 +108,7 @@ def read(results):
 
 
 def clean(name):
-    return re.sub(r"/(real_time|manual_time)$", "", name)
+    return re.sub(r"(/iterations:\d+)?(/real_time|/manual_time)?$", "", name)
 
 
 def best(repetitions):

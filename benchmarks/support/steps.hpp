@@ -29,7 +29,7 @@ double working(const Engine& engine, int particles) {
 
 /// Takes steps of the scene that `make(size, threads)` returns, both from the benchmark's arguments.
 /// Counters: `particle`, the time per step and particle that the step has work for, and `moving`, per particle that is
-/// not a wall's; `bytes`, what a particle stores, and `list_bytes`, its runs; `neighbours`, those of the first phase
+/// not a wall's; `searched`, in what share of the steps neighbours are looked for; `bytes`, what a particle stores, and `list_bytes`, its runs; `neighbours`, those of the first phase
 /// among its own.
 template <class Scene, class Make>
 void steps(benchmark::State& state, Make make) {
@@ -40,8 +40,11 @@ void steps(benchmark::State& state, Make make) {
             made.step();
         return made;
     });
-    for (auto _ : state)
+    double searches = 0;
+    for (auto _ : state) {
+        searches += scene.engine().search_is_due();
         scene.step();
+    }
     const auto n = static_cast<double>(scene.particles());
     double moving = 0, at_work = 0;
     scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& phase) {
@@ -57,6 +60,7 @@ void steps(benchmark::State& state, Make make) {
     state.counters["particles"] = n;
     state.counters["working"] = at_work;
     state.counters["threads"] = static_cast<double>(threads);
+    state.counters["searched"] = searches / static_cast<double>(state.iterations());
     state.counters["bytes"] = static_cast<double>(scene.engine().particle_bytes()) / n;
     state.counters["list_bytes"] = static_cast<double>(scene.engine().list_bytes()) / n;
     double neighbours = 0;
@@ -66,12 +70,18 @@ void steps(benchmark::State& state, Make make) {
 }
 
 /// Registers the benchmark `name` for each size, on one thread (CPU time) and on two (real time).
+/// @param at_once how many steps are measured at once, 0: as long as the options say. Where steps differ, because
+///   neighbours serve several, the least of few at once would be that of steps without a search.
 template <class Scene, class Make>
-void add_steps(const std::string& name, Make make, const std::vector<std::int64_t>& sizes) {
+void add_steps(const std::string& name, Make make, const std::vector<std::int64_t>& sizes, int at_once = 0) {
     const auto run = [make](benchmark::State& state) { steps<Scene>(state, make); };
-    benchmark::RegisterBenchmark(name.c_str(), run)->ArgsProduct({sizes, {1}});
+    const auto registered = [&](std::int64_t threads) {
+        auto* const made = benchmark::RegisterBenchmark(name.c_str(), run)->ArgsProduct({sizes, {threads}});
+        return at_once > 0 ? made->Iterations(at_once) : made;
+    };
+    registered(1);
 #ifdef _OPENMP
-    benchmark::RegisterBenchmark(name.c_str(), run)->ArgsProduct({sizes, {2}})->UseRealTime();
+    registered(2)->UseRealTime();
 #endif
 }
 
