@@ -20,7 +20,7 @@ public:
     static constexpr int width = native_width<Real>;
     /// Operations for one neighbour if all is done in one sweep, as they stand in `sweep`: additions, multiplications,
     /// maxima, quotients and roots count one each.
-    static constexpr double operations_per_neighbour = 42;
+    static constexpr double operations_per_neighbour = 44;
 
     std::array<std::vector<Real>, 3> acceleration;
     std::vector<Real> density_rate, density;
@@ -118,8 +118,9 @@ private:
                 if constexpr (with_density)
                     rate += weight * approach; // 2
                 if constexpr (with_force) {
-                    const T mu = negative_part(approach / (r2 + epsilon));                                     // 3
-                    const T Pi = mu * (quadratic * mu - linear) / (own_density + T::load(density.data() + j)); // 5
+                    const T meeting = negative_part(approach), away = r2 + epsilon;                            // 2
+                    const T Pi = meeting * (quadratic * meeting - linear * away) /                             // 5
+                                 (away * away * (own_density + T::load(density.data() + j)));                  // 3
                     const T push = weight * (own_pressure + T::load(pressure_term.data() + j) + Pi);           // 3
                     a0 += push * d0, a1 += push * d1, a2 += push * d2;                                         // 6
                 }

@@ -175,8 +175,9 @@ private:
                 const T weight = T::load(mass_ + j) * (rest * rest * rest);
                 const T approach =
                     (v0 - T::load(v[0] + j)) * d0 + (v1 - T::load(v[1] + j)) * d1 + (v2 - T::load(v[2] + j)) * d2;
-                const T mu = negative_part(approach / (r2 + epsilon));
-                const T Pi = mu * (quadratic * mu - linear) / (own_density + T::load(density.data() + j));
+                const T meeting = negative_part(approach), away = r2 + epsilon;
+                const T Pi = meeting * (quadratic * meeting - linear * away) /
+                             (away * away * (own_density + T::load(density.data() + j)));
                 const auto s = [&](std::size_t c) {
                     return own_stress[c] + T::load(stress_over_density2_[c].data() + j);
                 };

@@ -52,13 +52,16 @@ struct MonaghanViscosity {
     Parameters parameters{};
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        // H and the halves of the means are multiplied with the coefficients, which do not change from pair to pair.
+        // mu_ab = H approach/away where it is negative. H and the halves of the means are multiplied with the
+        // coefficients, which do not change from pair to pair, and all is over one denominator: two quotients take
+        // longer than all the rest. Its sum is multiplied out so that one more operand can come from memory.
         const auto H = ab.support_radius;
-        const auto approach = negative_part(dot(a[velocity] - b[velocity], ab.offset) /
-                                            (squared_norm(ab.offset) + sq(0.1 * H))); // mu/H where mu < 0
+        const auto approach = negative_part(dot(a[velocity] - b[velocity], ab.offset));
+        const auto away = squared_norm(ab.offset) + sq(0.1 * H);
         const double c = 0.5 * (a.material.sound_speed + b.material.sound_speed);
-        const auto Pi = approach * ((2 * parameters.beta) * sq(H) * approach - (2 * parameters.alpha * c) * H) /
-                        (a[density] + b[density]);
+        const auto Pi = approach *
+                        (((2 * parameters.beta) * sq(H)) * approach - ((2 * parameters.alpha * c) * H) * away) /
+                        (away * (away * a[density] + away * b[density]));
         return along(ab, -((b[mass] * ab.gradient(Kernel{})) * Pi));
     }
 
