@@ -109,7 +109,11 @@ private:
 
     bool agrees(const Cloud<dim, Real>& targets, const Cloud<dim, Real>& sources, const RunList& list, int i) {
         std::set<Neighbour> found;
+        const Run* before = nullptr;
         for (const Run& run : list[i]) {
+            if (before != nullptr && before->shift != 0 && run.shift == 0)
+                return false; // those that are seen through no image come first
+            before = &run;
             longest = std::max<int>(longest, run.count);
             if (run.count == 0 || run.count > width || run.first + run.count > static_cast<std::uint32_t>(sources.n))
                 return false;

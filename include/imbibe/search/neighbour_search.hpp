@@ -23,8 +23,8 @@ namespace imbibe::search {
 /// neighbour is found in every image within the support: once, if the period is at least twice the support. Every call
 /// of a const member may be made by several threads at a time.
 ///
-/// Order: the neighbours of a point come in the order of the cells, not in that of their numbers; it is the same for
-/// any number of threads.
+/// Order: the neighbours of a point come in the order of the cells, not in that of their numbers, and those that are seen
+/// through periodic images behind the others; it is the same for any number of threads.
 /// @tparam dim 2 or 3
 /// @tparam Real float or double: of the coordinates, and of the comparison
 template <int dim, class Real>

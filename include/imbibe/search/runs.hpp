@@ -9,7 +9,8 @@
 
 namespace imbibe::search {
 
-/// `count` consecutive neighbours from `first` on, seen through periodic image `shift` (0: none).
+/// `count` consecutive neighbours from `first` on, seen through periodic image `shift` (0: none). Of a particle's runs
+/// those that are seen through none come first.
 struct Run {
     std::uint32_t first; ///< in the sorted order
     std::uint16_t count; ///< how many
@@ -71,6 +72,25 @@ public:
         const Run* base = blocks[k / block_size].data();
         return {base + (k % block_size == 0 ? 0 : ends[k - 1]), base + ends[k]};
     }
+    /// The runs of the particles of one block, one particle after the other.
+    class Walk {
+    public:
+        /// @param first the particle to begin with
+        Walk(const RunList& list, int first)
+            : base(list.blocks[static_cast<std::size_t>(first / block_size)].data()), here(list[first].begin_),
+              ends(list.ends.data() + first) {}
+        /// Those of the next particle, of the same block.
+        Range next() {
+            const Run* const from = here;
+            here = base + *ends++;
+            return {from, here};
+        }
+
+    private:
+        const Run *base, *here;
+        const std::uint32_t* ends;
+    };
+
     /// Bytes held for particles, for reports.
     std::size_t bytes() const {
         std::size_t sum = ends.capacity() * sizeof(std::uint32_t);

@@ -19,7 +19,6 @@ public:
     template <class P>
     using State = typename Base::template State<P>;
     using Phases = typename Base::Phases;
-    using Base::any_periodic;
     using Base::for_each_phase;
 
     using Composition = Scene;
@@ -171,6 +170,8 @@ private:
         const std::array<SupportRadius, sizeof...(S)> supports{SupportRadius(std::get<k>(sources).support)...};
         const AllParts own_parts = parts;
         const Vector<double, dim> gravity_now = this->gravity;
+        std::array<search::RunList::Walk, sizeof...(S)> walks{
+            search::RunList::Walk(*std::get<k>(sources).runs, begin)...};
         for (int i = begin; i < end; ++i) {
             Sums<Adds, dim, T> sums;
             for (T& t : sums.total)
@@ -181,7 +182,7 @@ private:
             (gather<S, FieldsOf<typename S::B>>(
                  Filter<NodesFrom<S>::template Keep, Nodes>{},
                  std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, AllParts>>>{}, sums, s, a,
-                 std::get<k>(sources), supports[k], std::get<k>(others), i, std::get<k>(own_parts)),
+                 std::get<k>(sources), supports[k], std::get<k>(others), i, walks[k].next(), std::get<k>(own_parts)),
              ...);
             store<P>(s, i, sums, Adds{});
         }
@@ -216,10 +217,9 @@ private:
         source.support = l.support;
         source.periodic = &this->periodic;
         source.least_distances = LeastDistances<Real, Base::width>(l.support);
-        source.image_number = any_periodic() ? search::image_count<dim> : 1;
         for (int shift = 0; shift < search::image_count<dim>; ++shift)
             for (int d = 0; d < dim; ++d)
-                source.image_steps[d][shift] = source.images[static_cast<std::size_t>(shift)][d] = static_cast<Real>(
+                source.images[static_cast<std::size_t>(shift)][d] = static_cast<Real>(
                     search::image_step(shift, d) * this->periodic.length[static_cast<std::size_t>(d)]);
         return source;
     }

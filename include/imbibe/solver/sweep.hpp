@@ -192,10 +192,6 @@ private:
     alignas(sizeof(Real) * lanes) Real squared_[lanes + 1][lanes]{};
 };
 
-/// Room for the periodic images in whole packs.
-template <int dim>
-inline constexpr std::size_t image_room = dim == 2 ? 16 : 32;
-
 /// What a sweep needs to know of one source, with the fields of List.
 template <int dim, class List, class Real, int width>
 struct SourceData {
@@ -204,8 +200,6 @@ struct SourceData {
     double support;
     const search::Periodic<dim>* periodic;
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
-    Real image_steps[static_cast<std::size_t>(dim)][image_room<dim>]; ///< the same by direction, and zeros behind them
-    int image_number;                                                 ///< 1 where no side is periodic
     LeastDistances<Real, width> least_distances;
 };
 
@@ -213,9 +207,9 @@ struct SourceData {
 template <class N, class ListB, class Own, int dim, class Real, int width, class Part, class Adds>
 IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums, const Own& a,
                            const SourceData<dim, ListB, Real, width>& source, const typename N::B& material_b,
-                           const Pair<dim, Pack<Real, width>>& ab, const search::Run& run) {
-    const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.columns, run.first, material_b, ab.gravity_now,
-                                                                  source.images[run.shift]};
+                           const Pair<dim, Pack<Real, width>>& ab, std::size_t first, const Vector<Real, dim>& image) {
+    const NeighbourView<typename N::B, ListB, dim, Real, width> b{source.columns, first, material_b, ab.gravity_now,
+                                                                  image};
     add_all<dim, Pack<Real, width>, Adds, N>(sums, part(a, b, ab),
                                              std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
 }
@@ -246,13 +240,14 @@ IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector
     (one(std::type_identity<F>{}), ...);
 }
 
-/// Adds to `sums` what the neighbours of particle i from one source contribute, node by node.
+/// Adds to `sums` what the neighbours of particle i from one source contribute, run by run and node by node.
 template <class S, class ListB, class... N, class A, class ListA, class Adds, class Own, int dim, class Real, int width,
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
                           const PhaseState<A, ListA, dim, Real>& state, const Own& a,
                           const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
-                          const typename S::B& material_b, int i, const PartTuple& parts) {
+                          const typename S::B& material_b, int i, const search::RunList::Range& own_runs,
+                          const PartTuple& parts) {
     using T = Pack<Real, width>;
     using B [[maybe_unused]] = NeighbourView<typename S::B, ListB, dim, Real, width>;
     using Place = std::conditional_t<S::reference, ReferencePosition, Position>;
@@ -260,43 +255,46 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     Pair<dim, T> ab;
     ab.set(support);
     ab.gravity_now = a.gravity_now;
-    const search::RunList::Range own_runs = (*source.runs)[i];
     // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before
     // the loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
     if constexpr (std::is_same_v<A, typename S::B>)
         IMBIBE_ASSUME(own_runs.begin() != own_runs.end());
     else if (own_runs.begin() == own_runs.end())
         return;
-    Real here[static_cast<std::size_t>(dim)];
-    for (int d = 0; d < dim; ++d)
-        here[d] = state.column(place_a + d)[i];
-    if constexpr (PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference)
-        for (std::size_t d = 0; d < dim; ++d) // it is not wrapped, its runs were found as if it were
-            if (source.periodic->length[d] > 0)
-                here[d] = search::into_period(here[d], static_cast<Real>(source.periodic->lower[d]),
-                                              static_cast<Real>(source.periodic->length[d]));
-    // Where it is as seen through each periodic image; without periodic sides that is one place.
-    Real places[static_cast<std::size_t>(dim)][image_room<dim>];
-    for (int d = 0; d < dim; ++d)
-        places[d][0] = here[d];
-    if (source.image_number > 1) [[unlikely]]
-        for (int d = 0; d < dim; ++d)
-            for (std::size_t image = 0; image < image_room<dim>; ++image)
-                places[d][image] = here[d] - source.image_steps[d][image];
-
-    for (const search::Run run : own_runs) {
-        for (int d = 0; d < dim; ++d)
-            ab.offset[d] =
-                T(places[d][run.shift]) - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run.first);
-        T distance2 = squared_norm(ab.offset);
-        if constexpr (width > 1)
-            distance2 = max(distance2, source.least_distances.squared(run.count));
-        ab.distance = sqrt(distance2);
-        for (T& c : sums.central)
-            c = T(0);
-        (add_run<N, ListB>(std::get<k>(parts), sums, a, source, material_b, ab, run), ...);
-        multiply_out<Gives<N, decltype(std::get<k>(parts)(a, std::declval<const B&>(), ab))>...>(sums, ab.offset);
-    }
+    // Where the particle is, as seen through the periodic image of a run.
+    const auto seen_from = [&](const search::Run& run) {
+        Vector<T, dim> place;
+        for (int d = 0; d < dim; ++d) {
+            Real x = state.column(place_a + d)[i];
+            if constexpr (PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference)
+                if (const auto e = static_cast<std::size_t>(d); source.periodic->length[e] > 0)
+                    x = search::into_period(x, static_cast<Real>(source.periodic->lower[e]), // it is not wrapped, its
+                                            static_cast<Real>(source.periodic->length[e]));  // runs were found as if
+            place[d] = T(x - source.images[run.shift][d]);
+        }
+        return place;
+    };
+    const search::Run *run = own_runs.begin(), *const end = own_runs.end();
+    const bool through_images = end[-1].shift != 0; // those that are seen through images come last
+    do { // over all of them at once, or where there are images over each by itself
+        const Vector<T, dim> place = seen_from(*run);
+        std::ptrdiff_t left = through_images ? 1 : end - run;
+        do {
+            for (int d = 0; d < dim; ++d)
+                ab.offset[d] = place[d] - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run->first);
+            T distance2 = squared_norm(ab.offset);
+            if constexpr (width > 1)
+                distance2 = max(distance2, source.least_distances.squared(run->count));
+            ab.distance = sqrt(distance2);
+            for (T& c : sums.central)
+                c = T(0);
+            (add_run<N, ListB>(std::get<k>(parts), sums, a, source, material_b, ab, run->first,
+                               source.images[run->shift]),
+             ...);
+            multiply_out<Gives<N, decltype(std::get<k>(parts)(a, std::declval<const B&>(), ab))>...>(sums, ab.offset);
+            ++run;
+        } while (--left != 0);
+    } while (run != end);
 }
 
 } // namespace imbibe::detail
