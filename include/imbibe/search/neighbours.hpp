@@ -146,7 +146,7 @@ private:
     Nobody<dim> nobody;
     PlacesInCells<dim> places;
     CellsInReach<dim> in_reach;
-    Real wrapped[dim][PlacesInCells<dim>::most];
+    Real wrapped[static_cast<std::size_t>(dim)][PlacesInCells<dim>::most];
 
     // The runs of target k of `places`, which is at at[d][k].
     IMBIBE_INLINE void append(const std::array<const Real*, static_cast<std::size_t>(dim)>& at, std::size_t k) {

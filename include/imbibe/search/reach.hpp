@@ -9,18 +9,16 @@ namespace imbibe::search::detail {
 /// Some particles as the grid sees them. Lengths are in cells along x.
 template <int dim>
 struct IMBIBE_PER_BUILD PlacesInCells {
-    static constexpr std::size_t most = 64,
-                                 padding = 16; ///< packs go on into the padding; what is there does not matter
-    std::size_t count = 0;
-    std::int32_t cell[dim][most + padding]{}; ///< the own cell by direction
-    float x[most + padding]{};                ///< where in that along x, from 0 to 1
-    float below[2][most + padding]{};         ///< the squared distance to the rows below along y and z
-    float above[2][most + padding]{};         ///< that to the rows above
+    static constexpr std::size_t most = 64;    ///< so many there are at most
+    static constexpr std::size_t padding = 16; ///< packs go on into it; what is there does not matter
+    std::int32_t cell[static_cast<std::size_t>(dim)][most + padding]{}; ///< the own cell by direction
+    float x[most + padding]{};                                          ///< where in that along x, from 0 to 1
+    float below[2][most + padding]{}; ///< the squared distance to the rows below along y and z
+    float above[2][most + padding]{}; ///< that to the rows above
 
     /// Takes the particles at place[d][k], k < n, m.
     template <class Place>
     void take(const Grid<dim>& grid, const Place& place, std::size_t n) {
-        count = n;
         for (int d = 0; d < dim; ++d) {
             const double lower = grid.lower(d), inverse = 1 / grid.width(d);
             const auto width = static_cast<float>(std::min(grid.width(d) / grid.width(0), 1e9)); // not infinite
