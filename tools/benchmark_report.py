@@ -166,7 +166,7 @@ class Report:
         for real, loop, solid in (("float", 110, 250), ("double", 260, 500)):
             name = f"fluid/one_sweep/{real}/26"
             bar(f"fluid in one sweep over the loop by hand, {real}", 1.1, value("bench_sweep", name, "ratio", 1))
-            bar(f"the same with clang++, {real}", 1.15, value("clang", name, "ratio", 1))
+            bar(f"the same with clang++ -ffp-contract=fast, {real}", 1.15, value("clang", name, "ratio", 1))
             bar(f"fluid in one sweep, ns per particle, {real}", loop, value("bench_sweep", name), digits=0)
             bar(f"the loop by hand, ns per particle, {real}", loop, value("bench_sweep", name, "hand"), digits=0)
             name = f"hypoelastic/{real}/26"
