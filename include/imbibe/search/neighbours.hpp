@@ -5,6 +5,7 @@
 #include <imbibe/search/runs.hpp>
 
 #include <bit>
+#include <utility>
 
 namespace imbibe::search {
 
