@@ -414,9 +414,13 @@ def main():
     parser.add_argument("--rounds", type=int, default=1, metavar="N",
                         help="measure all N times and take the best: other work on the machine comes and goes")
     parser.add_argument("--more", action="store_true", help="add to the stored results instead of forgetting them")
+    parser.add_argument("--only", metavar="NAME", action="append",
+                        help="with --more: this program again, such as bench_sweep, and none but those named so")
     parser.add_argument("--reuse", action="store_true", help="write the report from stored results")
     parser.add_argument("--counts", action="store_true", help="count instructions only, and write these into the page")
     arguments = parser.parse_args()
+    if arguments.only and not arguments.more:
+        parser.error("--only adds to stored results: it needs --more")
     folder = os.path.join(arguments.build, "results")
     program = os.path.abspath(os.path.join(arguments.build, "benchmarks", "count_instructions"))
     if arguments.counts:
@@ -433,13 +437,15 @@ def main():
             if found:
                 results.clear(found)
         for _ in range(arguments.rounds):
-            results.run(arguments.build, folder, arguments.quick)
-            if arguments.clang:
+            for name in arguments.only or [None]:
+                results.run(arguments.build, folder, arguments.quick, name)
+            if arguments.clang and "bench_sweep" in (arguments.only or ["bench_sweep"]):
                 results.run(arguments.clang, clang_folder, arguments.quick, "bench_sweep")
-        print("count_instructions ...", flush=True)
-        counts = count_instructions.counts_of(program)
-        with open(os.path.join(folder, "counts.json"), "w") as file:
-            json.dump(counts, file, indent=4)
+        if not arguments.only:
+            print("count_instructions ...", flush=True)
+            counts = count_instructions.counts_of(program)
+            with open(os.path.join(folder, "counts.json"), "w") as file:
+                json.dump(counts, file, indent=4)
     Report(arguments).write()
 
 
