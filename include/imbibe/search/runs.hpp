@@ -75,7 +75,7 @@ public:
     /// The runs of the particles of one block, one particle after the other.
     class Walk {
     public:
-        /// @param first the particle to begin with
+        /// Of the block of particle `first`, from there on.
         Walk(const RunList& list, int first)
             : base(list.blocks[static_cast<std::size_t>(first / block_size)].data()), here(list[first].begin_),
               ends(list.ends.data() + first) {}
