@@ -266,10 +266,11 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
         Vector<T, dim> place;
         for (int d = 0; d < dim; ++d) {
             Real x = state.column(place_a + d)[i];
+            // Such a phase is not wrapped, but its runs were found as if it were.
             if constexpr (PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference)
                 if (const auto e = static_cast<std::size_t>(d); source.periodic->length[e] > 0)
-                    x = search::into_period(x, static_cast<Real>(source.periodic->lower[e]), // it is not wrapped, its
-                                            static_cast<Real>(source.periodic->length[e]));  // runs were found as if
+                    x = search::into_period(x, static_cast<Real>(source.periodic->lower[e]),
+                                            static_cast<Real>(source.periodic->length[e]));
             place[d] = T(x - source.images[run.shift][d]);
         }
         return place;
