@@ -242,6 +242,57 @@ TEMPLATE_TEST_CASE("Threads do not change the runs", "[search]", (Case<native<do
     CHECK(all[0] == all[2]);
 }
 
+TEST_CASE("Many particles share a longer block, and have the runs that each would have alone", "[search]") {
+    constexpr int width = native<float>;
+    auto cloud = random_cloud<2, float>(80'000, 0, 1, 42);
+    Grid<2> grid;
+    grid.fit(imbibe::search::bounds_of(cloud.points(), 1), 0.01, {}, cloud.n);
+    CellTable table;
+    REQUIRE_FALSE(table.sort(grid, cloud.points(), 1));
+    cloud.reorder(table.order());
+    const auto points = cloud.points();
+    const auto runs_of = [](const RunList& list, int i) {
+        std::vector<std::array<std::uint32_t, 3>> all;
+        for (const Run& run : list[i])
+            all.push_back({run.first, run.count, run.shift});
+        return all;
+    };
+    RunList many;
+    imbibe::search::find_runs<width>(many, points, points, grid, table, 0.01, 2);
+    CHECK(many.block_size() > RunList::smallest_block);
+    CHECK_FALSE(many.is_empty());
+    RunList few; // one list for all slices: its memory is used again, after a long list and with other blocks
+    imbibe::search::find_runs<width>(few, points, points, grid, table, 0.01, 1);
+    for (int begin = 0; begin < cloud.n; begin += 1000) {
+        auto slice = points;
+        slice.n = 300;
+        for (auto& x : slice.x)
+            x += begin;
+        // The same points under another name: no source is a target, so nobody is taken for granted.
+        imbibe::search::find_runs<width>(few, slice, points, grid, table, 0.01, 1);
+        REQUIRE(few.block_size() == RunList::smallest_block);
+        RunList::Walk walk(many, begin / RunList::smallest_block * RunList::smallest_block);
+        for (int i = begin / RunList::smallest_block * RunList::smallest_block; i < begin; ++i)
+            walk.next();
+        for (int i = 0; i < slice.n; ++i) {
+            REQUIRE(runs_of(few, i) == runs_of(many, begin + i));
+            if (begin / many.block_size() == (begin + i) / many.block_size()) {
+                const auto range = walk.next();
+                REQUIRE(range.begin() == many[begin + i].begin());
+                REQUIRE(range.end() == many[begin + i].end());
+            }
+        }
+    }
+}
+
+TEST_CASE("Columns of numbers begin where packs and pages do", "[search]") {
+    const auto place = [](const auto& column) { return reinterpret_cast<std::uintptr_t>(column.data()); };
+    const imbibe::AlignedVector<float> few(3, 1.0f), many(5'000'000, 2.0f);
+    CHECK(place(few) % 64 == 0);
+    CHECK(place(many) % imbibe::AlignedAllocator<float>::huge_page == 0);
+    CHECK(std::count(many.begin(), many.end(), 2.0f) == 5'000'000);
+}
+
 TEST_CASE("What is sorted stays sorted, and equal cells keep their order", "[search]") {
     auto cloud = random_cloud<3, double>(500, 0, 1, 51);
     auto points = cloud.points();

@@ -93,7 +93,7 @@ public:
         : list(run_list), runs(run_list.block(block)), target_x(targets.x), source_x(sources.x), cells(grid),
           table(cell_table), support(support_radius / grid.width(0)),
           support2(static_cast<Real>(support_radius * support_radius)), among_others(targets.x != sources.x),
-          nobody(support) {}
+          in_block(std::min(list.block_size(), targets.n - block * list.block_size())), nobody(support) {}
 
     /// Those of targets [begin, end), at most PlacesInCells::most.
     void find(int begin, int end) {
@@ -127,6 +127,7 @@ public:
                 if (rows.size != 0 && !(among_others && nobody.is_near(cells, table, rows, places.cell[0][i])))
                     append(at, i);
                 list.finish(begin + static_cast<int>(i), static_cast<std::uint32_t>(used));
+                ++finished;
             }
         }
     }
@@ -134,20 +135,30 @@ public:
 private:
     static constexpr std::size_t room = RowsAround<dim>::most * (64 / width + 3); ///< for the usual short stretches
     RunList& list;
-    std::vector<Run>& runs;
+    RunList::Block& runs;
     std::array<const Real*, static_cast<std::size_t>(dim)> target_x, source_x;
     const Grid<dim> cells; // a copy, which writing runs cannot change
     const CellTable& table;
     const double support; ///< in cells along x
     const Pack<Real, width> support2;
     const bool among_others; ///< nobody is alone in his own set
+    const int in_block;      ///< how many targets
     std::size_t used = 0;    ///< of `runs`
+    int finished = 0;        ///< how many targets have theirs
     RowsAround<dim> rows;
     std::pair<int, int> last_row{-1000000000, 0};
     Nobody<dim> nobody;
     PlacesInCells<dim> places;
     CellsInReach<dim> in_reach;
     Real wrapped[static_cast<std::size_t>(dim)][PlacesInCells<dim>::most];
+
+    // Room for so many runs now, and for about as many as the whole block will have.
+    void make_room(std::size_t needed) {
+        const double expected = 1.1 * static_cast<double>(needed) * in_block / finished;
+        needed = finished < 64 ? 2 * needed : std::max(needed, static_cast<std::size_t>(expected));
+        runs.reserve(needed); // resize alone would take twice what there was
+        runs.resize(needed);
+    }
 
     // The runs of target k of `places`, which is at at[d][k].
     IMBIBE_INLINE void append(const std::array<const Real*, static_cast<std::size_t>(dim)>& at, std::size_t k) {
@@ -162,7 +173,7 @@ private:
                                               image_step(image, d) * cells.length(d)));
             const std::size_t needed = used + (until - from) / static_cast<unsigned>(width) + room;
             if (needed > runs.size())
-                runs.resize(2 * needed);
+                make_room(needed);
             Run* const begin = runs.data() + used;
             used += static_cast<std::size_t>(
                 append_long_stretch<width, dim, Real>(begin, source_x, seen, support2, from, until, image) - begin);
@@ -186,7 +197,7 @@ private:
             count += s.begin < s.end; // without a branch: whether a row at the rim is reached is a matter of chance
         }
         if (used + room > runs.size()) [[unlikely]]
-            runs.resize(2 * (used + room));
+            make_room(used + room);
         Vector<T, dim> here;
         for (int d = 0; d < dim; ++d)
             here[d] = T(at[static_cast<std::size_t>(d)][k]);
@@ -218,8 +229,8 @@ void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim
     parallel_for(list.block_count(), threads, [&](int block) {
         constexpr int at_once = static_cast<int>(detail::PlacesInCells<dim>::most);
         detail::RunsOfBlock<width, dim, Real> runs(list, block, targets, sources, grid, table, support);
-        const int end = std::min(targets.n, (block + 1) * RunList::block_size);
-        for (int i = block * RunList::block_size; i < end; i += at_once)
+        const int begin = block * list.block_size(), end = std::min(targets.n, begin + list.block_size());
+        for (int i = begin; i < end; i += at_once)
             runs.find(i, std::min(i + at_once, end));
     });
     list.finish();

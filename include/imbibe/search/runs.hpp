@@ -3,7 +3,9 @@
 #pragma once
 
 #include <imbibe/core/build_options.hpp>
+#include <imbibe/core/memory.hpp>
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -21,8 +23,10 @@ struct Run {
 /// threads build and read them independently; memory is reused from step to step.
 class IMBIBE_PER_BUILD RunList {
 public:
-    /// Particles in a block.
-    static constexpr int block_size = 256;
+    /// The runs of one block of particles.
+    using Block = AlignedVector<Run>;
+    /// Every block begins at a multiple of so many particles.
+    static constexpr int smallest_block = 256;
 
     /// The runs of one particle, to loop over.
     struct Range {
@@ -40,7 +44,14 @@ public:
     void resize(int n) {
         particles = n;
         nothing = n == 0;
-        blocks.resize(static_cast<std::size_t>((n + block_size - 1) / block_size));
+        constexpr int enough_blocks = 64; // for many threads; the longer each is, the fewer pages of memory it lies in
+        int size = smallest_block;
+        while (n / size >= 2 * enough_blocks)
+            size *= 2;
+        if (size != block_size())
+            blocks.clear();
+        block_bits = std::countr_zero(static_cast<unsigned>(size));
+        blocks.resize(static_cast<std::size_t>((n + size - 1) / size));
         ends.resize(static_cast<std::size_t>(n));
     }
     /// No particle has a neighbour.
@@ -52,32 +63,34 @@ public:
     }
     /// How many particles.
     int size() const { return particles; }
+    /// Particles in a block: the more there are, the larger.
+    int block_size() const { return 1 << block_bits; }
     /// How many blocks.
     int block_count() const { return static_cast<int>(blocks.size()); }
     /// The runs of block b, to fill.
-    std::vector<Run>& block(int b) { return blocks[static_cast<std::size_t>(b)]; }
+    Block& block(int b) { return blocks[static_cast<std::size_t>(b)]; }
     /// Says that the runs of particle i end at `end` in its block, where those of the next one begin.
     void finish(int i, std::uint32_t end) { ends[static_cast<std::size_t>(i)] = end; }
     /// Says that all runs are there.
     void finish() {
         nothing = true;
         for (int end = 0; nothing && end < particles;) {
-            end = end + block_size < particles ? end + block_size : particles;
+            end = end + block_size() < particles ? end + block_size() : particles;
             nothing = ends[static_cast<std::size_t>(end - 1)] == 0;
         }
     }
     /// The runs of particle i.
     Range operator[](int i) const {
         const auto k = static_cast<std::size_t>(i);
-        const Run* base = blocks[k / block_size].data();
-        return {base + (k % block_size == 0 ? 0 : ends[k - 1]), base + ends[k]};
+        const Run* base = blocks[k >> block_bits].data();
+        return {base + (k == k >> block_bits << block_bits ? 0 : ends[k - 1]), base + ends[k]};
     }
-    /// The runs of the particles of one block, one particle after the other.
+    /// The runs of particles of one block, one particle after the other.
     class Walk {
     public:
         /// Of the block of particle `first`, from there on.
         Walk(const RunList& list, int first)
-            : base(list.blocks[static_cast<std::size_t>(first / block_size)].data()), here(list[first].begin_),
+            : base(list.blocks[static_cast<std::size_t>(first) >> list.block_bits].data()), here(list[first].begin_),
               ends(list.ends.data() + first) {}
         /// Those of the next particle, of the same block.
         Range next() {
@@ -103,9 +116,10 @@ public:
 
 private:
     int particles = 0;
+    int block_bits = std::countr_zero(static_cast<unsigned>(smallest_block)); ///< a block is 2^block_bits particles
     bool nothing = true;
-    std::vector<std::vector<Run>> blocks;
-    std::vector<std::uint32_t> ends;
+    std::vector<Block> blocks;
+    AlignedVector<std::uint32_t> ends;
 };
 
 } // namespace imbibe::search

@@ -156,7 +156,7 @@ private:
             sweep_block<P, Adds, TypeList<N...>, S...>(s, sources, parts, begin, end,
                                                        std::make_index_sequence<sizeof...(S)>{});
         };
-        loop_blocks(s.size(), search::RunList::block_size, this->threads, Callable<void(int, int)>(block));
+        loop_blocks(s.size(), search::RunList::smallest_block, this->threads, Callable<void(int, int)>(block));
     }
     template <class P, class Adds, class Nodes, class... S, class Sources, class AllParts, std::size_t... k>
     void sweep_block(State<P>& s, const Sources& sources, const AllParts& parts, int begin, int end,

@@ -2,31 +2,17 @@
 // order in which they lie there.
 #pragma once
 
+#include <imbibe/core/memory.hpp>
 #include <imbibe/search/neighbours.hpp>
 #include <imbibe/solver/composition.hpp>
 #include <imbibe/solver/loops.hpp>
 
 #include <Eigen/Core>
 
-#include <cstdlib>
-#include <memory>
-#include <new>
+#include <cstddef>
+#include <cstring>
 
 namespace imbibe::detail {
-
-/// Memory on cache-line boundaries.
-template <class T>
-struct AlignedAllocator {
-    using value_type = T;
-    AlignedAllocator() = default;
-    template <class U>
-    AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
-    void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
-    friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
-};
-template <class T>
-using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
 /// Eigen's view of one field of all particles: n rows, one column per component, no copy.
 /// @tparam Numbers Eigen::Matrix or const Eigen::Matrix
@@ -119,10 +105,11 @@ public:
         };
         loop(component_total, threads_for(n, threads), Callable<void(int)>(one));
         values.swap(spare);
-        std::vector<std::uint32_t> moved(order.size());
+        std::memcpy(spare.data(), ids.data(), ids.size() * sizeof(ids[0])); // what `spare` held is of no use any more
+        const auto* const before = reinterpret_cast<const std::byte*>(spare.data());
+        ids.resize(order.size());
         for (std::size_t i = 0; i < order.size(); ++i)
-            moved[i] = ids[order[i]];
-        ids.swap(moved);
+            std::memcpy(&ids[i], before + order[i] * sizeof(ids[0]), sizeof(ids[0]));
         n = static_cast<int>(order.size());
         pad();
     }
