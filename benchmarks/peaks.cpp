@@ -1,6 +1,6 @@
 // Measures what this machine can do at most, so that other results can be given as a fraction of it: multiply-adds in
 // registers (counter `flops`, two per multiply-add) and the bandwidth of memory (counter `bytes`, for a = b + s c with
-// three arrays far larger than the caches, each number counted once). Run it:
+// three arrays far larger than the caches, each number counted once), on one thread and on two. Run it:
 //
 //   build-benchmark/benchmarks/peaks
 #include "support/measure.hpp"
@@ -16,24 +16,29 @@ using namespace imbibe;
 using benchmark::Counter;
 
 // Each sum waits for itself alone: as many of them as it takes to keep two units with a latency of four busy.
-constexpr int sums = 12, rounds = 1000;
+constexpr int sums = 12, rounds = 100'000;
 
 template <class Real, int width>
-void multiply_add(benchmark::State& state) {
+void multiply_add(benchmark::State& state, int threads) {
     using T = Pack<Real, width>;
-    T x[sums], factor(0.999), summand(0.001);
-    for (int k = 0; k < sums; ++k)
-        x[k] = T(k);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(factor);
-        benchmark::DoNotOptimize(summand);
-        const T f = factor, s = summand;
-        for (int r = 0; r < rounds; ++r)
+#ifdef _OPENMP
+#pragma omp parallel num_threads(threads)
+#endif
+        {
+            T x[sums], factor(0.999), summand(0.001);
             for (int k = 0; k < sums; ++k)
-                x[k] = x[k] * f + s;
-        benchmark::DoNotOptimize(x);
+                x[k] = T(k);
+            benchmark::DoNotOptimize(factor);
+            benchmark::DoNotOptimize(summand);
+            const T f = factor, s = summand;
+            for (int r = 0; r < rounds; ++r)
+                for (int k = 0; k < sums; ++k)
+                    x[k] = x[k] * f + s;
+            benchmark::DoNotOptimize(x);
+        }
     }
-    state.counters["flops"] = Counter(2.0 * sums * rounds * width, Counter::kIsIterationInvariantRate);
+    state.counters["flops"] = Counter(2.0 * sums * rounds * width * threads, Counter::kIsIterationInvariantRate);
     state.counters["width"] = width;
 }
 
@@ -56,7 +61,10 @@ template <class Real>
 void register_multiply_add() {
     constexpr int width = native_width<Real>;
     const std::string name = std::string("multiply_add/") + bench::real_name<Real> + "/" + std::to_string(width);
-    benchmark::RegisterBenchmark(name.c_str(), multiply_add<Real, width>);
+    benchmark::RegisterBenchmark((name + "/1_thread").c_str(), multiply_add<Real, width>, 1);
+#ifdef _OPENMP
+    benchmark::RegisterBenchmark((name + "/2_threads").c_str(), multiply_add<Real, width>, 2)->UseRealTime();
+#endif
 }
 
 } // namespace

@@ -97,7 +97,7 @@ class Report:
         self.lines = []
         peaks = self.rows.get("peaks", {})
         self.flops = {real: row["flops"] for real in REALS for name, row in peaks.items()
-                      if name.startswith(f"multiply_add/{real}/")}
+                      if re.fullmatch(rf"multiply_add/{real}/\d+/1_thread", name)}
         self.bandwidth = peaks.get("triad/1_thread", {}).get("bytes")
 
     def get(self, program, name):
@@ -213,13 +213,23 @@ class Report:
     def peaks(self):
         self.section("What the machine can do at most", "peaks",
                      "Multiply-adds in registers, each counted as two operations, and a = b + s c over arrays far "
-                     "larger than the caches. Fractions below are of these.")
-        two = self.get("peaks", "triad/2_threads")
-        self.lines += table(["", "measured"], [
-            *([f"{real}, {int(row['width'])} at a time, one thread", f"{row['flops'] * 1e-9:.0f} Gflop/s"]
-              for real in REALS for _, row in self.matches("peaks", rf"multiply_add/{real}/\d+")),
-            *([[f"memory, {n} thread{'s' if n > 1 else ''}", f"{row['bytes'] * 1e-9:.1f} GB/s"]
-               for n, row in ((1, self.get("peaks", "triad/1_thread")), (2, two)) if row])])
+                     "larger than the caches. Fractions below are of these. Where two threads do not multiply twice as "
+                     "much as one, two of the machine's processors are not two cores, or others are at work on them: "
+                     "no scene gains more from a second thread than that.")
+        rows = []
+
+        def row(what, pattern, counter, unit, digits=0):
+            """On one thread, on two, and the second over the first."""
+            rates = [found[0][1][counter] * 1e-9 if (found := self.matches("peaks", f"{pattern}/{threads}")) else None
+                     for threads in ("1_thread", "2_threads")]
+            rows.append([what, *(f"{rate:.{digits}f} {unit}" if rate else "-" for rate in rates),
+                         f"{rates[1] / rates[0]:.2f}" if all(rates) else "-"])
+
+        for real in REALS:
+            for (width,), _ in self.matches("peaks", rf"multiply_add/{real}/(\d+)/1_thread"):
+                row(f"{real}, {width} at a time", rf"multiply_add/{real}/\d+", "flops", "Gflop/s")
+        row("memory", "triad", "bytes", "GB/s", 1)
+        self.lines += table(["", "one thread", "two threads", "speed-up"], rows)
 
     def steps(self):
         def rows_of(program, pattern, size_name):

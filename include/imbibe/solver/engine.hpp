@@ -50,11 +50,12 @@ private:
         (clear(std::type_identity<F>{}), ...);
     }
     [[gnu::noinline]] void clear_columns(Real* first, std::size_t stride, int n, int columns, bool from_gravity) {
-        const auto one = [&](int k) {
-            const Real start = from_gravity ? static_cast<Real>(this->gravity[k % dim]) : Real(0);
-            std::fill_n(first + static_cast<std::size_t>(k) * stride, n, start);
+        const auto block = [&](int begin, int end) {
+            for (int k = 0; k < columns; ++k)
+                std::fill_n(first + static_cast<std::size_t>(k) * stride + begin, end - begin,
+                            from_gravity ? static_cast<Real>(this->gravity[k % dim]) : Real(0));
         };
-        loop(columns, threads_for(n, this->threads), Callable<void(int)>(one));
+        loop_blocks(n, 4096, this->threads, Callable<void(int, int)>(block));
     }
 
     template <class What, std::size_t... k>

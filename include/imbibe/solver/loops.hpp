@@ -24,11 +24,7 @@ private:
     Result (*call_)(const void*, Argument...);
 };
 
-/// parallel_for for calls that are long next to one through a pointer.
-[[gnu::noinline]] IMBIBE_PER_BUILD inline void loop(int n, int threads, const Callable<void(int)>& f) {
-    parallel_for(n, threads, f);
-}
-/// parallel_blocks, the same.
+/// parallel_blocks for calls that are long next to one through a pointer.
 [[gnu::noinline]] IMBIBE_PER_BUILD inline void loop_blocks(int n, int block, int threads,
                                                            const Callable<void(int, int)>& f) {
     parallel_blocks(n, block, threads, f);

@@ -97,13 +97,7 @@ public:
     /// Puts the particles into a new order: particle order[k] moves to k. All components are carried along.
     void reorder(const std::vector<std::uint32_t>& order, int threads) {
         spare.resize(values.size());
-        const auto one = [&](int k) {
-            const Real* from = column(k);
-            Real* to = spare.data() + static_cast<std::size_t>(k) * step;
-            for (std::size_t i = 0; i < order.size(); ++i)
-                to[i] = from[order[i]];
-        };
-        loop(component_total, threads_for(n, threads), Callable<void(int)>(one));
+        gather(column(0), spare.data(), component_total, order, threads);
         values.swap(spare);
         std::memcpy(spare.data(), ids.data(), ids.size() * sizeof(ids[0])); // what `spare` held is of no use any more
         const auto* const before = reinterpret_cast<const std::byte*>(spare.data());
@@ -132,13 +126,7 @@ public:
     /// Copies components [first, first + count) into the copy, in the order of the cell table.
     void copy_to_image(int first, int count, int threads) {
         image.resize(values.size());
-        const auto one = [&](int c) {
-            const Real* from = column(first + c);
-            Real* to = image.data() + static_cast<std::size_t>(first + c) * step;
-            for (std::size_t i = 0; i < image_order.size(); ++i)
-                to[i] = from[image_order[i]];
-        };
-        loop(count, threads_for(n, threads), Callable<void(int)>(one));
+        gather(column(first), image.data() + static_cast<std::size_t>(first) * step, count, image_order, threads);
         pad(image);
     }
     search::Points<dim, Real> image_points() const {
@@ -189,6 +177,15 @@ private:
         constexpr std::size_t line = 64 / sizeof(Real);
         std::size_t lines = (static_cast<std::size_t>(count) + search::read_beyond) / line + 1;
         return (lines | 1) * line;
+    }
+    // to[k] = from[order[k]] in each of `count` components.
+    void gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order, int threads) const {
+        const auto block = [&](int begin, int end) {
+            for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+                for (int i = begin; i < end; ++i)
+                    (to + k * step)[i] = (from + k * step)[order[static_cast<std::size_t>(i)]];
+        };
+        loop_blocks(static_cast<int>(order.size()), 4096, threads, Callable<void(int, int)>(block));
     }
     void pad(AlignedVector<Real>& columns) {
         constexpr int lanes = 64 / sizeof(Real);
