@@ -144,11 +144,14 @@ def measure_steps(page, compiler):
         seconds, _, code = compiler.measure_text(text)
         page.put("steps", [words, f"{seconds:.1f}", f"{seconds - before:+.1f}", f"{code:.0f}"])
         before = seconds
+    dam_break = os.path.join(ROOT, "examples/dam_break.cpp")
+    seconds, _, code = compiler.measure(dam_break, ["-O0"])  # later options count
+    page.put("steps", ["the same, not optimised (`-O0`)", f"{seconds:.1f}", f"{seconds - before:+.1f}", f"{code:.0f}"])
     if compiler.name.startswith("g++"):  # which finds what is precompiled by itself
         os.makedirs(os.path.join(compiler.folder.name, "imbibe"))
         compiler.once(os.path.join(ROOT, "include/imbibe/imbibe.hpp"), ["-x", "c++-header"],
                       os.path.join(compiler.folder.name, "imbibe/imbibe.hpp.gch"))
-        seconds, _, code = compiler.measure(os.path.join(ROOT, "examples/dam_break.cpp"), [f"-I{compiler.folder.name}"])
+        seconds, _, code = compiler.measure(dam_break, [f"-I{compiler.folder.name}"])
         page.put("steps", ["the same, `imbibe.hpp` being precompiled", f"{seconds:.1f}", f"{seconds - before:+.1f}",
                            f"{code:.0f}"])
 

@@ -6,10 +6,13 @@
 //   build-benchmark/benchmarks/validation all --write docs/validation.md
 #include "validation/cavity.hpp"
 #include "validation/cylinders.hpp"
+#include "validation/dam_break_on_box.hpp"
+#include "validation/duct.hpp"
 #include "validation/elastic_baffle.hpp"
 #include "validation/elastic_gate.hpp"
 #include "validation/elliptic_drop.hpp"
 #include "validation/one_pore.hpp"
+#include "validation/orifice.hpp"
 #include "validation/oscillating_plate.hpp"
 #include "validation/pipe.hpp"
 #include "validation/plates.hpp"
@@ -20,8 +23,10 @@
 #include "validation/square_patch.hpp"
 #include "validation/standing_wave.hpp"
 #include "validation/still_water.hpp"
+#include "validation/stiff_plate.hpp"
 #include "validation/taylor_green.hpp"
 #include "validation/turek_hron.hpp"
+#include "validation/turek_hron_flow.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -40,8 +45,11 @@ int main(int argc, char** argv) {
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
         {"pipe", "particles across the pipe", {12, 24, 48}, pipe::measure},
+        {"duct", "particles along a side", {12, 24}, duct::measure},
         {"one-pore", "particles over the radius", {3, 4, 6}, one_pore::measure},
+        {"orifice", "particles over the slot", {10, 20}, orifice::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
+        {"cavity-1000", "particles along a side", {50, 100}, cavity::measure_faster},
         {"standing-wave", "particles over the depth", {25, 50}, standing_wave::measure},
         {"square-patch", "particles along a side", {25, 50}, square_patch::measure},
         {"elliptic-drop", "particles over the radius", {12, 25, 50}, elliptic_drop::measure},
@@ -49,8 +57,13 @@ int main(int argc, char** argv) {
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
         {"turek-hron", "particles over the thickness", {4, 6, 10, 20}, turek_hron::measure},
         {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure},
+        {"dam-break-on-box", "particles over the box's height", {8, 12}, dam_break_on_box::measure},
+        {"stiff-plate", "particles over the plate's thickness", {5, 10}, stiff_plate::measure},
         {"soft-plate", "particles over the plate's thickness", {5, 10}, soft_plate::measure},
-        {"elastic-gate", "particles over the gate's thickness", {5, 10}, elastic_gate::measure}};
+        {"elastic-gate", "particles over the gate's thickness", {5, 10}, elastic_gate::measure},
+        {"fsi1", "particles over the flag's thickness", {4}, turek_hron_flow::measure_fsi1},
+        {"fsi2", "particles over the flag's thickness", {4}, turek_hron_flow::measure_fsi2},
+        {"fsi3", "particles over the flag's thickness", {4}, turek_hron_flow::measure_fsi3}};
 
     std::vector<std::string> names{"all"}, chosen;
     for (const Case& c : cases)

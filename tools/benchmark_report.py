@@ -214,8 +214,7 @@ class Report:
         self.section("What the machine can do at most", "peaks",
                      "Multiply-adds in registers, each counted as two operations, and a = b + s c over arrays far "
                      "larger than the caches. Fractions below are of these. Where two threads do not multiply twice as "
-                     "much as one, two of the machine's processors are not two cores, or others are at work on them: "
-                     "no scene gains more from a second thread than that.")
+                     "much as one, two of the machine's processors are not two cores, or others are at work on them.")
         rows = []
 
         def row(what, pattern, counter, unit, digits=0):
@@ -283,7 +282,8 @@ class Report:
                      "root as one.")
         rows = []
         for (kind, real, tenths), row in self.matches("bench_sweep", r"fluid/(\w+)/(\w+)/(\d+)"):
-            reached = row["operations"] / row["particle"] / self.flops[real] if kind == "one_sweep" else None
+            peak = self.flops.get(real)
+            reached = row["operations"] / row["particle"] / peak if kind == "one_sweep" and peak else None
             rows.append([f"fluid in {kind.replace('_', ' ')}, {real}", f"{int(tenths) / 10:.1f}",
                          f"{row['neighbours']:.0f}", ns(row), ns(row, "hand"), f"{row['ratio']:.2f}",
                          lanes(row), percent(reached) if reached else "-"])

@@ -5,14 +5,14 @@
 #include <new>
 #include <vector>
 
-#if __has_include(<sys/mman.h>)
+#ifdef __linux__
 #include <sys/mman.h>
 #endif
 
 namespace imbibe {
 
-/// An allocator of memory that begins on a cache line, so that no pack of numbers lies across two. Stretches of several
-/// huge pages begin on one, and the system is asked to use them (Linux's transparent huge pages, where they are left to
+/// An allocator of memory that begins on a cache line, so that the packs of a loop over all particles do. Stretches of
+/// several huge pages begin on one, and the system is asked to use them (Linux's transparent huge pages, where they are left to
 /// `madvise`): with ten million particles a step is full of places whose pages the processor must look up first, and
 /// new memory is there after one interruption where it would have taken 512.
 template <class T>
@@ -26,8 +26,10 @@ struct AlignedAllocator {
     AlignedAllocator(const AlignedAllocator<U>&) {}
     /// Memory for n numbers. Throws std::bad_alloc when there is none.
     T* allocate(std::size_t n) {
+        if (n > static_cast<std::size_t>(-1) / sizeof(T))
+            throw std::bad_array_new_length();
         void* const place = ::operator new(n * sizeof(T), alignment(n));
-#if defined(MADV_HUGEPAGE)
+#ifdef MADV_HUGEPAGE
         if (is_long(n)) // an advice: where it is not taken, all works as before
             static_cast<void>(::madvise(place, n * sizeof(T) / huge_page * huge_page, MADV_HUGEPAGE));
 #endif

@@ -1,6 +1,6 @@
 // Loops over blocks of particles, with threads where OpenMP is switched on. Blocks are independent, so nothing that
-// is computed depends on how many threads there are. Every loop gives a thread the same share of the particles first:
-// what it has written is then still near the core that reads it in the next loop.
+// is computed depends on how many threads there are. Every loop of many blocks gives a thread about the same share of the
+// particles first: what it has written is then still near the core that reads it in the next loop.
 #pragma once
 
 #include <imbibe/core/build_options.hpp>
@@ -37,6 +37,8 @@ public:
     void work(std::size_t own, const F& f) {
         for (std::size_t turn = 0; turn < shares.size(); ++turn) {
             Share& share = shares[(own + turn) % shares.size()];
+            if (share.next.load(std::memory_order_relaxed) >= share.end)
+                continue; // spares the others' cache line a write
             for (int k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
                 f(k);
         }
@@ -63,14 +65,16 @@ IMBIBE_PER_BUILD inline int available_threads() {
 }
 
 /// Calls f(k) for k = 0 ... n-1, on up to `threads` threads in any order: the threads begin at even distances. f must
-/// not write what another call reads. The first exception thrown by a call is thrown again when all are done. In f
-/// denormal numbers are zero.
+/// not write what another call reads. The first exception thrown by a call is thrown again, on several threads when all
+/// are done. In f denormal numbers are zero.
 template <class F>
 IMBIBE_PER_BUILD void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
 #ifdef _OPENMP
     if (threads > 1 && n > 1) {
         std::exception_ptr failure;
-        detail::Shares shares(n, threads); // where fewer threads come, they do the work of the others
+        // Where fewer threads come, they do the work of the others. A share for each of more threads than blocks would
+        // leave the first thread, which is awake, without one.
+        detail::Shares shares(n, n < threads ? n : threads);
 #pragma omp parallel num_threads(threads)
         {
             const DenormalsAreZero fast;
@@ -97,9 +101,9 @@ IMBIBE_PER_BUILD void parallel_for(int n, [[maybe_unused]] int threads, const F&
 /// Splits n particles into blocks of `block` and calls f(begin, end) for each.
 template <class F>
 IMBIBE_PER_BUILD void parallel_blocks(int n, int block, int threads, const F& f) {
-    parallel_for((n + block - 1) / block, threads, [&](int k) {
+    parallel_for(n / block + (n % block != 0), threads, [&](int k) {
         const int begin = k * block;
-        f(begin, begin + block < n ? begin + block : n);
+        f(begin, n - begin > block ? begin + block : n);
     });
 }
 
@@ -109,10 +113,10 @@ IMBIBE_PER_BUILD T parallel_reduce(int n, int threads, T start, const Map& map, 
     constexpr int block = 4096, most = 512;
     const int size = n / most + 1 > block ? n / most + 1 : block;
     T parts[most + 1];
-    const int blocks = (n + size - 1) / size;
+    const int blocks = n / size + (n % size != 0);
     parallel_for(blocks, threads, [&](int k) {
         const int begin = k * size;
-        parts[k] = map(begin, begin + size < n ? begin + size : n);
+        parts[k] = map(begin, n - begin > size ? begin + size : n);
     });
     for (int k = 0; k < blocks; ++k)
         start = combine(start, parts[k]);

@@ -154,8 +154,12 @@ private:
 
     // Room for so many runs now, and for about as many as the whole block will have.
     void make_room(std::size_t needed) {
-        const double expected = 1.1 * static_cast<double>(needed) * in_block / finished;
-        needed = finished < 64 ? 2 * needed : std::max(needed, static_cast<std::size_t>(expected));
+        if (finished < 64) {
+            needed *= 2;
+        } else {
+            const double expected = 1.1 * static_cast<double>(used) * in_block / finished + static_cast<double>(room);
+            needed = std::max(needed + needed / 10, static_cast<std::size_t>(expected));
+        }
         runs.reserve(needed); // resize alone would take twice what there was
         runs.resize(needed);
     }
@@ -225,11 +229,11 @@ private:
 template <int width, int dim, class Real>
 void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim, Real>& sources, const Grid<dim>& grid,
                const CellTable& table, double support, int threads) {
-    list.resize(targets.n);
+    list.resize(targets.n, threads);
     parallel_for(list.block_count(), threads, [&](int block) {
         constexpr int at_once = static_cast<int>(detail::PlacesInCells<dim>::most);
         detail::RunsOfBlock<width, dim, Real> runs(list, block, targets, sources, grid, table, support);
-        const int begin = block * list.block_size(), end = std::min(targets.n, begin + list.block_size());
+        const int begin = block * list.block_size(), end = begin + std::min(targets.n - begin, list.block_size());
         for (int i = begin; i < end; i += at_once)
             runs.find(i, std::min(i + at_once, end));
     });

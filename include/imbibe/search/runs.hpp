@@ -20,7 +20,8 @@ struct Run {
 };
 
 /// The runs of all particles of one phase in one other (or the same) phase. Kept in blocks of particles so that
-/// threads build and read them independently; memory is reused from step to step.
+/// threads build and read them independently. Memory is reused from step to step, but where particles become so many more
+/// or fewer that blocks of another size are better.
 class IMBIBE_PER_BUILD RunList {
 public:
     /// The runs of one block of particles.
@@ -41,22 +42,22 @@ public:
     };
 
     /// Makes room for n particles. A block keeps the memory it once had; how much of it is used, `finish` says.
-    void resize(int n) {
-        particles = n;
-        nothing = n == 0;
-        constexpr int enough_blocks = 64; // for many threads; the longer each is, the fewer pages of memory it lies in
-        int size = smallest_block;
-        while (n / size >= 2 * enough_blocks)
-            size *= 2;
-        if (size != block_size())
+    /// @param threads how many will share the blocks: 8 blocks for each, at least, of more than `smallest_block`
+    void resize(int n, int threads) {
+        // The longer a block is, the fewer pages of memory it lies in.
+        const int enough = threads > 8 ? 8 * threads : 64, now = n / block_size();
+        if (now >= 4 * enough || (now < enough && block_size() > smallest_block)) {
+            int size = smallest_block;
+            while (n / size >= 2 * enough)
+                size *= 2;
             blocks.clear();
-        block_bits = std::countr_zero(static_cast<unsigned>(size));
-        blocks.resize(static_cast<std::size_t>((n + size - 1) / size));
-        ends.resize(static_cast<std::size_t>(n));
+            block_bits = std::countr_zero(static_cast<unsigned>(size));
+        }
+        resize_in_blocks(n);
     }
     /// No particle has a neighbour.
     void clear_all(int n) {
-        resize(n);
+        resize_in_blocks(n);
         for (auto& e : ends)
             e = 0;
         nothing = true;
@@ -75,7 +76,7 @@ public:
     void finish() {
         nothing = true;
         for (int end = 0; nothing && end < particles;) {
-            end = end + block_size() < particles ? end + block_size() : particles;
+            end = particles - end > block_size() ? end + block_size() : particles;
             nothing = ends[static_cast<std::size_t>(end - 1)] == 0;
         }
     }
@@ -120,6 +121,13 @@ private:
     bool nothing = true;
     std::vector<Block> blocks;
     AlignedVector<std::uint32_t> ends;
+
+    void resize_in_blocks(int n) {
+        particles = n;
+        nothing = n == 0;
+        blocks.resize(static_cast<std::size_t>(n / block_size() + (n % block_size() != 0)));
+        ends.resize(static_cast<std::size_t>(n));
+    }
 };
 
 } // namespace imbibe::search
