@@ -1,12 +1,12 @@
 // Flow in a square cavity that its lid drives.
 //
-// Reference: Ghia, Ghia and Shin (1982): the least u on the line x = 0.5, the greatest and the least v on y = 0.5; at Re =
-// 100 -0.21090, 0.17527, -0.24533, at Re = 1000 -0.38289, 0.37095, -0.51550.
+// Reference: Ghia, Ghia and Shin (1982): the least u on the line x = 0.5, the greatest and the least v on y = 0.5;
+// at Re = 100 -0.21090, 0.17527, -0.24533, at Re = 1000 -0.38289, 0.37095, -0.51550.
 // Geometry: side 1, lid speed 1, nu = 1/Re; walls of three layers on all sides, of which the upper ones move.
-// Scheme: quintic spline of 3 spacings, MorrisViscosity, SummationDensity, which cannot drift, and shifting; the walls
-// count as neighbours in both. Sound is 10. From rest, on a lattice jittered by a tenth of a spacing.
-// Measure: the mean over the last fifth of 15 (Re = 1000: 60) of the velocities on the two lines, by moving least squares of
-// first order over the particles within H.
+// Scheme: quintic spline of 3 spacings, MorrisViscosity, SummationDensity, which cannot drift, and shifting; the
+// walls count as neighbours in both. Sound is 10. From rest, on a lattice jittered by a tenth of a spacing.
+// Measure: the mean over the last fifth of 15 (Re = 1000: 60) of the velocities on the two lines, by moving least
+// squares of first order over the particles within H.
 #pragma once
 
 #include "case.hpp"

@@ -1,7 +1,7 @@
 // Steady flow in a square duct, driven by a body force.
 //
-// Reference: the series solution (White, Viscous Fluid Flow, 3-3.3): the mean velocity is 0.0351443 f a^2/nu in a duct of
-// side a.
+// Reference: the series solution (White, Viscous Fluid Flow, 3-3.3): the mean velocity is 0.0351443 f a^2/nu in a
+// duct of side a.
 // Geometry: a and nu are 1; 8 spacings long and periodic, cubic lattice, four sides of wall.
 // Scheme: that of creeping.hpp; sound is 40 nu/a, 540 times the greatest speed.
 // Measure: the mean velocity, once it has stopped growing.

@@ -1,12 +1,12 @@
 // A plate that is held at one end and started with the velocity of its first mode.
 //
-// Reference: plane elasticity by finite elements: a period of 0.2552 s with a rigid root, 0.2623 s where the root is held
-// from above and below only, as Gray, Monaghan and Swift did.
+// Reference: plane elasticity by finite elements: a period of 0.2552 s with a rigid root, 0.2623 s where the root is
+// held from above and below only, as Gray, Monaghan and Swift did.
 // Geometry: Gray, Monaghan and Swift (2001): 0.2 x 0.02 m, 1000 kg/m^3, 2e6 Pa, nu = 0.3975; particles that are held
-// beyond x = 0, more columns than a free one can see; or, for the other root, three rows on each side of 0.06 m of plate
-// that is as free there as the rest. V_f = 0.01: the end goes 0.02 m to either side.
-// Scheme: St. Venant-Kirchhoff, total Lagrangian, Wendland C2 of 1.5 spacings, no damping; or any other solid. All but
-// "as it is" has the modulus of `bending_modulus`.
+// beyond x = 0, more columns than a free one can see; or, for the other root, three rows on each side of 0.06 m of
+// plate that is as free there as the rest. V_f = 0.01: the end goes 0.02 m to either side.
+// Scheme: St. Venant-Kirchhoff, total Lagrangian, Wendland C2 of 1.5 spacings, no damping; or any other solid. All
+// but "as it is" has the modulus of `bending_modulus`.
 // Measure: the mean period, and how much the greatest deflection of the last period has lost on that of the first.
 #pragma once
 

@@ -2,10 +2,10 @@
 //
 // Reference: Fourey et al. (2017): two-dimensional elasticity gives 7.065e-5 m, the theory of thin beams 6.860e-5 m.
 // Geometry: 1 m wide, the plate 0.05 m thick; 2700 kg/m^3, 67.5e9 Pa, nu = 0.34; water and plate have one spacing.
-// Scheme: water_on_rubber.hpp; its sub-cycling gives the metal, whose sound is a hundred times as fast as the water's,
-// some two hundred steps in each of the water's. The water starts with the pressure of its weight.
-// Measure: the mean sag of the two columns in the middle over the last tenth of 0.3 s; water and plate are damped, each
-// about critically, until then.
+// Scheme: water_on_rubber.hpp; its sub-cycling gives the metal, whose sound is a hundred times as fast as the
+// water's, some two hundred steps in each of the water's. The water starts with the pressure of its weight.
+// Measure: the mean sag of the two columns in the middle over the last tenth of 0.3 s; water and plate are damped,
+// each about critically, until then.
 #pragma once
 
 #include "case.hpp"
@@ -26,18 +26,18 @@ inline double sag(int across) {
     const auto pool = scene[scene.add(water, sph::fill(sph::Box<2>{{0, 0}, {1, depth}}, dx), dx)];
     for (int i = 0; i < pool.size(); ++i) // the mass that goes with the pressure, too: neighbours stay where they are
         pool[sph::density](i) += 1000 * gravity * (depth - pool[sph::position](i, 1)) / sph::sq(water.sound_speed);
-    const auto plate =
-        scene.add(rubber(67.5e9, 0.34, 2700, across, dx),
-                  sph::fill(sph::Box<2>{{-4 * dx, -thickness}, {1 + 4 * dx, 0}}, dx), dx);
+    const auto plate = scene.add(rubber(67.5e9, 0.34, 2700, across, dx),
+                                 sph::fill(sph::Box<2>{{-4 * dx, -thickness}, {1 + 4 * dx, 0}}, dx), dx);
     scene.hold(plate, [](const auto& x) { return x[0] < 0 || x[0] > 1; });
-    scene.add(Tank{{.density = 1000}},
-              [&] {
-                  auto sides = sph::fill(sph::Box<2>{{-3 * dx, 0}, {0, 1.1 * depth}}, dx);
-                  for (const auto& x : sph::fill(sph::Box<2>{{1, 0}, {1 + 3 * dx, 1.1 * depth}}, dx))
-                      sides.push_back(x);
-                  return sides;
-              }(),
-              dx);
+    scene.add(
+        Tank{{.density = 1000}},
+        [&] {
+            auto sides = sph::fill(sph::Box<2>{{-3 * dx, 0}, {0, 1.1 * depth}}, dx);
+            for (const auto& x : sph::fill(sph::Box<2>{{1, 0}, {1 + 3 * dx, 1.1 * depth}}, dx))
+                sides.push_back(x);
+            return sides;
+        }(),
+        dx);
 
     const sph::DisplacementProbe<2> probe(scene[plate]);
     double sum = 0, before = 0;

@@ -1,18 +1,19 @@
 // Channel flow round a cylinder with a flag behind it: FSI1, which comes to rest, FSI2 and FSI3, which flutter.
 //
-// Reference: Turek and Hron (2006), finite elements: the displacement of the middle of the flag's free end, and in FSI1
-// the drag on cylinder and flag.
+// Reference: Turek and Hron (2006), finite elements: the displacement of the middle of the flag's free end, and in
+// FSI1 the drag on cylinder and flag.
 // Geometry: channel 2.5 x 0.41 m, cylinder of radius 0.05 m about (0.2, 0.2) m, flag to x = 0.6 m, 0.02 m thick, its
-// root inside the cylinder; all of one square lattice, the water jittered by a twentieth of a spacing. The cylinder has
-// as many of its points as its area asks for.
-// Flow: periodic in x. Before water returns to the inlet its velocity is led to the parabola that enters there, and its
-// density to that of no pressure, where the reference has a free outlet.
-// Scheme: Wendland C2 of 2.6 spacings, sound 25 times the mean speed of the flow, density diffusion, Morris viscosity,
-// shifting; no-slip walls with extrapolated pressure. Flag: St. Venant-Kirchhoff, sub-cycled, with the modulus of
-// `bending_modulus`; TotalLagrangianViscosity with alpha = 0.2, without which its particles rattle and push water away.
-// Measure: FSI1, means over the last third of 12 s. FSI2 and FSI3, half the sum and half the difference of the greatest
-// and the least displacement in the last third, and the frequency from the times at which the end rises through that
-// middle.
+// root inside the cylinder; all of one square lattice, the water jittered by a twentieth of a spacing. The cylinder
+// has as many of its points as its area asks for.
+// Flow: periodic in x. Before water returns to the inlet its velocity is led to the parabola that enters there, and
+// its density to that of no pressure, where the reference has a free outlet.
+// Scheme: Wendland C2 of 2.6 spacings, sound 25 times the mean speed of the flow, density diffusion, Morris
+// viscosity, shifting; no-slip walls with extrapolated pressure. Flag: St. Venant-Kirchhoff, sub-cycled, with the
+// modulus of `bending_modulus`; TotalLagrangianViscosity with alpha = 0.2, without which its particles rattle and
+// push water away.
+// Measure: FSI1, means over the last third of 12 s. FSI2 and FSI3, half the sum and half the difference of the
+// greatest and the least displacement in the last third, and the frequency from the times at which the end rises
+// through that middle.
 #pragma once
 
 #include "free_surface.hpp"
@@ -58,10 +59,9 @@ struct Load {
 struct Flow : Water<K, sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
 struct Walls : sph::Wall<> {};
 struct Cylinder : sph::Wall<> {};
-struct Flag
-    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                 sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::TotalLagrangianViscosity<K>, sph::Clamped,
-                 sph::TimeAveragedMotion> {};
+struct Flag : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
+                         sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::TotalLagrangianViscosity<K>,
+                         sph::Clamped, sph::TimeAveragedMotion> {};
 template <class Body, class... More>
 struct Meets : sph::Coupling<Flow, Body, sph::Into<Body, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                              sph::Into<Flow, sph::VolumeContinuity<K>>, sph::Into<Body, sph::NoSlipVelocity<K>>,
@@ -98,9 +98,8 @@ inline Points part(double spacing) {
     points.flag = sph::fill(flag, spacing);
     std::vector<sph::Point<2>> others = sph::fill(sph::Box<2>{{0, 0}, {length, height}}, spacing);
     std::erase_if(others, [&](const auto& x) { return flag.contains(x); });
-    std::sort(others.begin(), others.end(), [&](const auto& a, const auto& b) {
-        return (a - middle).squaredNorm() < (b - middle).squaredNorm();
-    });
+    std::sort(others.begin(), others.end(),
+              [&](const auto& a, const auto& b) { return (a - middle).squaredNorm() < (b - middle).squaredNorm(); });
     const double root = (0.25 - flag.lower()[0]) * thickness; // m^2, of the flag inside the cylinder
     const auto taken = std::lround((std::numbers::pi * radius * radius - root) / (spacing * spacing));
     points.cylinder.assign(others.begin(), others.begin() + taken);

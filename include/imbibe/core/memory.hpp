@@ -12,9 +12,9 @@
 namespace imbibe {
 
 /// An allocator of memory that begins on a cache line, so that the packs of a loop over all particles do. Stretches of
-/// several huge pages begin on one, and the system is asked to use them (Linux's transparent huge pages, where they are left to
-/// `madvise`): with ten million particles a step is full of places whose pages the processor must look up first, and
-/// new memory is there after one interruption where it would have taken 512.
+/// several huge pages begin on one, and the system is asked to use them (Linux's transparent huge pages, where they are
+/// left to `madvise`): with ten million particles a step is full of places whose pages the processor must look up
+/// first, and new memory is there after one interruption where it would have taken 512.
 template <class T>
 struct AlignedAllocator {
     using value_type = T;

@@ -1,6 +1,6 @@
 // Loops over blocks of particles, with threads where OpenMP is switched on. Blocks are independent, so nothing that
-// is computed depends on how many threads there are. Every loop of many blocks gives a thread about the same share of the
-// particles first: what it has written is then still near the core that reads it in the next loop.
+// is computed depends on how many threads there are. Every loop of many blocks gives a thread about the same share of
+// the particles first: what it has written is then still near the core that reads it in the next loop.
 #pragma once
 
 #include <imbibe/core/build_options.hpp>

@@ -167,8 +167,8 @@ struct RiemannContinuity {
     }
 
     static constexpr const char* limit_name = "Riemann smoothing of the density";
-    /// 0.3 H/c in 2D, 0.255 H/c in 3D, s: five sixths of 2 over the fastest rate of decay, with WendlandC2 on lattices of
-    /// 2 to 4 spacings a support.
+    /// 0.3 H/c in 2D, 0.255 H/c in 3D, s: five sixths of 2 over the fastest rate of decay, with WendlandC2 on lattices
+    /// of 2 to 4 spacings a support.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return time_step_limit(material, material, in);
     }

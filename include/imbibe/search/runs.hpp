@@ -20,8 +20,8 @@ struct Run {
 };
 
 /// The runs of all particles of one phase in one other (or the same) phase. Kept in blocks of particles so that
-/// threads build and read them independently. Memory is reused from step to step, but where particles become so many more
-/// or fewer that blocks of another size are better.
+/// threads build and read them independently. Memory is reused from step to step, but where particles become so many
+/// more or fewer that blocks of another size are better.
 class IMBIBE_PER_BUILD RunList {
 public:
     /// The runs of one block of particles.
