@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
         {"stiff-plate", "particles over the plate's thickness", {5, 10}, stiff_plate::measure},
         {"soft-plate", "particles over the plate's thickness", {5, 10}, soft_plate::measure},
         {"elastic-gate", "particles over the gate's thickness", {5, 10}, elastic_gate::measure},
-        {"fsi1", "particles over the flag's thickness", {4}, turek_hron_flow::measure_fsi1},
+        {"fsi1", "particles over the flag's thickness", {4, 6}, turek_hron_flow::measure_fsi1},
         {"fsi2", "particles over the flag's thickness", {4}, turek_hron_flow::measure_fsi2},
         {"fsi3", "particles over the flag's thickness", {4}, turek_hron_flow::measure_fsi3}};
 

@@ -17,6 +17,7 @@ namespace imbibe {
 /// first, and new memory is there after one interruption where it would have taken 512.
 template <class T>
 struct AlignedAllocator {
+    /// What it makes room for.
     using value_type = T;
     /// Bytes of a huge page of nearly all processors.
     static constexpr std::size_t huge_page = std::size_t(1) << 21;
@@ -39,6 +40,7 @@ struct AlignedAllocator {
     void deallocate(T* place, std::size_t n) {
         ::operator delete(place, alignment(n));
     }
+    /// Any may give back what another has given.
     friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) {
         return true;
     }

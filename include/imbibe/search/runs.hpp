@@ -42,6 +42,7 @@ public:
     };
 
     /// Makes room for n particles. A block keeps the memory it once had; how much of it is used, `finish` says.
+    /// @param n how many particles
     /// @param threads how many will share the blocks: 8 blocks for each, at least, of more than `smallest_block`
     void resize(int n, int threads) {
         // The longer a block is, the fewer pages of memory it lies in.
