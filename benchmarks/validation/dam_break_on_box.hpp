@@ -13,22 +13,15 @@
 #pragma once
 
 #include "case.hpp"
-#include "free_surface.hpp"
-
-#include <imbibe/fluid/density_floor.hpp>
+#include "water_on_rubber.hpp"
 
 #include <deque>
 
 namespace validation::dam_break_on_box {
 
-using K = sph::WendlandC2;
-struct Column : Water<K, sph::DensityFloor, sph::MonaghanViscosity<K>> {};
-struct Tank : sph::Wall<> {};
+using namespace water_on_rubber; // the water, the tank and how they push
 struct Box : sph::Wall<> {};
-template <class Body>
-struct Push : sph::Coupling<Column, Body, sph::Into<Body, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Column, sph::VolumeContinuity<K>>> {};
-using Scene = sph::Solver<3, float, sph::SymplecticEuler, Column, Tank, Box, Push<Tank>, Push<Box>>;
+using Basin = sph::Solver<3, float, sph::SymplecticEuler, Column, Tank, Box, Push<Tank>, Push<Box>>;
 
 struct Blow {
     double pressure; ///< the highest mean, Pa
@@ -36,17 +29,17 @@ struct Blow {
 };
 
 /// @param across particles over the height of the box
-inline Blow strike(int across, int threads = 1) {
-    const double box_height = 0.161, dx = box_height / across, gravity = 9.81, depth = 0.55, front = 1.228 + 1.1675;
-    Scene scene({.gravity = {0, 0, -gravity},
+inline Blow strike(int across) {
+    const double box_height = 0.161, dx = box_height / across, depth = 0.55, front = 1.228 + 1.1675;
+    Basin scene({.gravity = {0, 0, -gravity},
                  .support_radius = 2.6 * dx,
                  .search_interval = 100,
                  .search_skin = 0.1,
-                 .threads = threads});
+                 .threads = 1});
     const sph::PressureExtrapolationParameters no_suction{.suction = false};
     scene.coupling<Push<Tank>>().set(no_suction);
     scene.coupling<Push<Box>>().set(no_suction);
-    Column water{{.density = 1000, .sound_speed = 10 * std::sqrt(2 * gravity * depth)}};
+    Column water = column(depth);
     water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
     scene.add(water, sph::fill(sph::Box<3>{{0, 0, 0}, {1.228, 1, depth}}, dx), dx);
     scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<3>{{0, 0, 0}, {3.22, 1, 1}}, dx, 3, sph::Sides::z_high), dx);
@@ -56,7 +49,7 @@ inline Blow strike(int across, int threads = 1) {
 
     Blow blow{0, 0};
     std::deque<std::pair<double, double>> window; // times and pressures of the last 20 ms
-    scene.run_until(0.6, [&](const Scene& s) {
+    scene.run_until(0.6, [&](const Basin& s) {
         const auto view = s[box];
         const auto x = view[sph::position];
         double sum = 0;

@@ -30,7 +30,7 @@ inline double discharge(int across) {
     auto walls = sph::tank(sph::Box<2>{{0, 0}, {width, depth}}, dx, 3, sph::Sides::y_high);
     std::erase_if(walls, [&](const auto& x) {
         const double away = std::abs(x[0] - width / 2) - slot / 2; // behind the slot's edge
-        return x[1] < 0 && away < -x[1] - dx / 2 + 1e-9 * dx && x[0] > 0 && x[0] < width;
+        return x[1] < 0 && away < -x[1] - dx / 2;
     });
     scene.add(Tank{{.density = 1000}}, walls, dx);
 

@@ -2,7 +2,7 @@
 //
 // Reference: Zick and Homsy (1982), the drag F = 6 pi mu a K U of a sphere of radius a, for solid fractions c, with
 // U averaged over the whole cell. Of spheres that touch also Kozeny and Carman's permeability of packings, e^3
-// d^2/(180 (1 - e)^2) with the porosity e = 1 - c and the diameter d; Zick and Homsy's array has 1.16 times that.
+// d^2/(180 (1 - e)^2) with the porosity e = 1 - c and the diameter d; Zick and Homsy's array has 1.15 times that.
 // Geometry: one cell of side L, periodic, with the sphere in it; liquid and sphere share one cubic lattice. Where
 // the sphere's centre lies between the lattice's points is chosen so that it takes its share c of them.
 // Scheme: that of creeping.hpp. L and nu are 1 and sound is 60 nu/L: its step is then about as long as that of

@@ -29,22 +29,17 @@ inline double sag(int across) {
     const auto plate = scene.add(rubber(67.5e9, 0.34, 2700, across, dx),
                                  sph::fill(sph::Box<2>{{-4 * dx, -thickness}, {1 + 4 * dx, 0}}, dx), dx);
     scene.hold(plate, [](const auto& x) { return x[0] < 0 || x[0] > 1; });
-    scene.add(
-        Tank{{.density = 1000}},
-        [&] {
-            auto sides = sph::fill(sph::Box<2>{{-3 * dx, 0}, {0, 1.1 * depth}}, dx);
-            for (const auto& x : sph::fill(sph::Box<2>{{1, 0}, {1 + 3 * dx, 1.1 * depth}}, dx))
-                sides.push_back(x);
-            return sides;
-        }(),
-        dx);
+    auto sides = sph::fill(sph::Box<2>{{-3 * dx, 0}, {0, 1.1 * depth}}, dx);
+    for (const auto& x : sph::fill(sph::Box<2>{{1, 0}, {1 + 3 * dx, 1.1 * depth}}, dx))
+        sides.push_back(x);
+    scene.add(Tank{{.density = 1000}}, sides, dx);
 
     const sph::DisplacementProbe<2> probe(scene[plate]);
     double sum = 0, before = 0;
     scene.run_until(end, [&](Scene& s) {
         const double dt = s.time() - before;
         before = s.time();
-        s[sph::PhaseHandle<Column>{}][sph::velocity] *= std::exp(-damping_of_water * dt);
+        pool[sph::velocity] *= std::exp(-damping_of_water * dt);
         s[plate][sph::velocity] *= std::exp(-damping_of_plate * dt);
         if (s.time() > 0.9 * end)
             sum -= dt * probe.mean_vector(s[plate], [&](const auto& x) { return std::abs(x[0] - 0.5) < dx; })[1];
