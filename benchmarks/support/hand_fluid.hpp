@@ -107,10 +107,10 @@ private:
             const T own_density(density[own]), own_pressure(pressure_term[own]);
             T rate(0), a0(0), a1(0), a2(0);
             for (const search::Run run : (*runs)[i]) {
-                const std::size_t j = run.first;
+                const std::size_t j = run.first();
                 const T d0 = x0 - T::load(x[0] + j), d1 = x1 - T::load(x[1] + j), d2 = x2 - T::load(x[2] + j); // 3
                 T r2 = d0 * d0 + d1 * d1 + d2 * d2;                                                            // 5
-                r2 = max(r2, least.squared(run.count));
+                r2 = max(r2, least.squared(run.count()));
                 const T rest = positive_part(T(1) - sqrt(r2) * inverse);    // 4
                 const T weight = T::load(mass_ + j) * (rest * rest * rest); // 3
                 const T approach =
@@ -118,11 +118,11 @@ private:
                 if constexpr (with_density)
                     rate += weight * approach; // 2
                 if constexpr (with_force) {
-                    const T meeting = negative_part(approach), away = r2 + epsilon;                            // 2
-                    const T Pi = meeting * (quadratic * meeting - linear * away) /                             // 5
-                                 (away * away * (own_density + T::load(density.data() + j)));                  // 3
-                    const T push = weight * (own_pressure + T::load(pressure_term.data() + j) + Pi);           // 3
-                    a0 += push * d0, a1 += push * d1, a2 += push * d2;                                         // 6
+                    const T meeting = negative_part(approach), away = r2 + epsilon;                  // 2
+                    const T Pi = meeting * (quadratic * meeting - linear * away) /                   // 5
+                                 (away * away * (own_density + T::load(density.data() + j)));        // 3
+                    const T push = weight * (own_pressure + T::load(pressure_term.data() + j) + Pi); // 3
+                    a0 += push * d0, a1 += push * d1, a2 += push * d2;                               // 6
                 }
             }
             if constexpr (with_density)

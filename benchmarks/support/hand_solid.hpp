@@ -102,10 +102,10 @@ private:
             for (T& component : g)
                 component = T(0);
             for (const search::Run run : (*runs)[i]) {
-                const std::size_t j = run.first;
+                const std::size_t j = run.first();
                 const T d0 = x0 - T::load(x[0] + j), d1 = x1 - T::load(x[1] + j), d2 = x2 - T::load(x[2] + j);
                 T r2 = d0 * d0 + d1 * d1 + d2 * d2;
-                r2 = max(r2, least.squared(run.count));
+                r2 = max(r2, least.squared(run.count()));
                 const T rest = positive_part(T(1) - sqrt(r2) * inverse);
                 const T weight = T::load(mass_ + j) * (rest * rest * rest);
                 const T u0 = v0 - T::load(v[0] + j), u1 = v1 - T::load(v[1] + j), u2 = v2 - T::load(v[2] + j);
@@ -137,18 +137,15 @@ private:
             const Real sxx = stress[0][i], sxy = stress[1][i], sxz = stress[2][i], syy = stress[3][i],
                        syz = stress[4][i], szz = stress[5][i];
             const Real third = (exx + eyy + ezz) / 3;
-            const Real rate[6] = {two_mu * (exx - third) + 2 * (a * sxy + b * sxz),
-                                  two_mu * exy + a * (syy - sxx) + b * syz + c * sxz,
-                                  two_mu * exz + b * (szz - sxx) + a * syz - c * sxy,
-                                  two_mu * (eyy - third) + 2 * (c * syz - a * sxy),
-                                  two_mu * eyz + c * (szz - syy) - a * sxz - b * sxy,
-                                  two_mu * (ezz - third) - 2 * (b * sxz + c * syz)};
+            const Real rate[6] = {
+                two_mu * (exx - third) + 2 * (a * sxy + b * sxz),   two_mu * exy + a * (syy - sxx) + b * syz + c * sxz,
+                two_mu * exz + b * (szz - sxx) + a * syz - c * sxy, two_mu * (eyy - third) + 2 * (c * syz - a * sxy),
+                two_mu * eyz + c * (szz - syy) - a * sxz - b * sxy, two_mu * (ezz - third) - 2 * (b * sxz + c * syz)};
             for (std::size_t k = 0; k < 6; ++k)
                 stress[k][i] += dt * rate[k];
             const Real pressure = stiffness * (density[i] - rho_0), per = 1 / (density[i] * density[i]);
             for (std::size_t k = 0; k < 6; ++k)
-                stress_over_density2_[k][i] =
-                    (stress[k][i] - (k == 0 || k == 3 || k == 5 ? pressure : Real(0))) * per;
+                stress_over_density2_[k][i] = (stress[k][i] - (k == 0 || k == 3 || k == 5 ? pressure : Real(0))) * per;
         }
     }
 
@@ -167,10 +164,10 @@ private:
                 own_stress[c] = T(stress_over_density2_[c][own]);
             T a0(0), a1(0), a2(0);
             for (const search::Run run : (*runs)[i]) {
-                const std::size_t j = run.first;
+                const std::size_t j = run.first();
                 const T d0 = x0 - T::load(x[0] + j), d1 = x1 - T::load(x[1] + j), d2 = x2 - T::load(x[2] + j);
                 T r2 = d0 * d0 + d1 * d1 + d2 * d2;
-                r2 = max(r2, least.squared(run.count));
+                r2 = max(r2, least.squared(run.count()));
                 const T rest = positive_part(T(1) - sqrt(r2) * inverse);
                 const T weight = T::load(mass_ + j) * (rest * rest * rest);
                 const T approach =

@@ -109,23 +109,24 @@ private:
 
     bool agrees(const Cloud<dim, Real>& targets, const Cloud<dim, Real>& sources, const RunList& list, int i) {
         std::set<Neighbour> found;
-        const Run* before = nullptr;
-        for (const Run& run : list[i]) {
-            if (before != nullptr && before->shift != 0 && run.shift == 0)
-                return false; // those that are seen through no image come first
-            before = &run;
-            longest = std::max<int>(longest, run.count);
-            if (run.count == 0 || run.count > width || run.first + run.count > static_cast<std::uint32_t>(sources.n))
-                return false;
+        int before = 0;
+        bool whole = true;
+        list[i].for_each([&](Run run, int image) {
+            whole = whole && (image != 0 || before == 0); // those that are seen through no image come first
+            before = image;
+            longest = std::max(longest, static_cast<int>(run.count()));
+            whole = whole && run.count() <= width && run.first() + run.count() <= static_cast<std::size_t>(sources.n);
             std::array<int, 3> step{};
             for (int d = 0; d < dim; ++d)
-                step[static_cast<std::size_t>(d)] = imbibe::search::image_step(run.shift, d);
-            for (int k = 0; k < run.count; ++k) {
-                const int j = static_cast<int>(run.first) + k;
+                step[static_cast<std::size_t>(d)] = imbibe::search::image_step(image, d);
+            for (std::size_t k = 0; k < run.count(); ++k) {
+                const int j = static_cast<int>(run.first() + k);
                 if (!found.insert({j, step}).second)
                     ++twice;
             }
-        }
+        });
+        if (!whole)
+            return false;
         std::set<Neighbour> near;
         for (const auto& [j, step] : found)
             if (distance(targets, i, sources, j, step) < support * (1 - doubt()))

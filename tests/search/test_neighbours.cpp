@@ -223,7 +223,7 @@ TEMPLATE_TEST_CASE("Threads do not change the runs", "[search]", (Case<native<do
     auto points = cloud.points();
     Grid<3> grid;
     grid.fit(imbibe::search::bounds_of(points, 1), 0.1, {}, cloud.n);
-    std::vector<std::vector<std::uint64_t>> all;
+    std::vector<std::vector<Run>> all;
     for (int threads : {1, 2, 4}) {
         CellTable table;
         auto sorted = cloud;
@@ -231,15 +231,34 @@ TEMPLATE_TEST_CASE("Threads do not change the runs", "[search]", (Case<native<do
             sorted.reorder(table.order());
         RunList list;
         imbibe::search::find_runs<TestType::width>(list, sorted.points(), sorted.points(), grid, table, 0.1, threads);
-        std::vector<std::uint64_t> bits;
+        std::vector<Run> runs;
         for (int i = 0; i < list.size(); ++i)
-            for (const Run& run : list[i])
-                bits.push_back((std::uint64_t{run.first} << 32) | (std::uint64_t{run.count} << 16) | run.shift);
-        all.push_back(bits);
+            runs.insert(runs.end(), list[i].begin(), list[i].end());
+        all.push_back(runs);
     }
     CHECK(all[0].size() > 3000);
     CHECK(all[0] == all[1]);
     CHECK(all[0] == all[2]);
+}
+
+TEST_CASE("A run and the mark of an image fit into four bytes", "[search]") {
+    STATIC_REQUIRE(sizeof(Run) == 4);
+    for (const std::uint32_t first : {0u, 1u, 12'345'678u, Run::most_particles - 1})
+        for (std::uint32_t count = 1; count <= Run::most_neighbours; ++count) {
+            const Run run(first, count);
+            CHECK(run.first() == first);
+            CHECK(run.count() == count);
+            CHECK_FALSE(run.is_mark());
+        }
+    for (int image = 0; image < imbibe::search::image_count<3>; ++image) {
+        CHECK(Run::mark_of(image).is_mark());
+        CHECK(Run::mark_of(image).image() == image);
+    }
+    // More particles than that are refused before anything is made of them.
+    const imbibe::search::Points<2, float> none{}, many{{}, static_cast<int>(Run::most_particles) + 1};
+    RunList list;
+    CHECK_THROWS_WITH(imbibe::search::find_runs<1>(list, none, many, Grid<2>{}, CellTable{}, 0.1, 1),
+                      imbibe_test::contains("268435430") && imbibe_test::contains("at most 268435429"));
 }
 
 TEST_CASE("Many particles share a longer block, and have the runs that each would have alone", "[search]") {
@@ -251,12 +270,7 @@ TEST_CASE("Many particles share a longer block, and have the runs that each woul
     REQUIRE_FALSE(table.sort(grid, cloud.points(), 1));
     cloud.reorder(table.order());
     const auto points = cloud.points();
-    const auto runs_of = [](const RunList& list, int i) {
-        std::vector<std::array<std::uint32_t, 3>> all;
-        for (const Run& run : list[i])
-            all.push_back({run.first, run.count, run.shift});
-        return all;
-    };
+    const auto runs_of = [](const RunList& list, int i) { return std::vector<Run>(list[i].begin(), list[i].end()); };
     RunList many;
     imbibe::search::find_runs<width>(many, points, points, grid, table, 0.01, 2);
     CHECK(many.block_size() > RunList::smallest_block);

@@ -23,8 +23,8 @@ namespace imbibe::search {
 /// neighbour is found in every image within the support: once, if the period is at least twice the support. Every call
 /// of a const member may be made by several threads at a time.
 ///
-/// Order: the neighbours of a point come in the order of the cells, not in that of their numbers, and those that are seen
-/// through periodic images behind the others; it is the same for any number of threads.
+/// Order: the neighbours of a point come in the order of the cells, not in that of their numbers, and those that are
+/// seen through periodic images behind the others; it is the same for any number of threads.
 /// @tparam dim 2 or 3
 /// @tparam Real float or double: of the coordinates, and of the comparison
 template <int dim, class Real>
@@ -131,12 +131,12 @@ public:
         if (support == 0)
             return;
         const auto rank = targets.rank[static_cast<std::size_t>(i)];
-        for (const Run run : lists_[list_number(a, b)][static_cast<int>(rank)])
-            for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
+        lists_[list_number(a, b)][static_cast<int>(rank)].for_each([&](Run run, int image) {
+            for (std::size_t k = run.first(); k < run.first() + run.count(); ++k) {
                 Eigen::Matrix<Real, dim, 1> offset;
                 for (int d = 0; d < dim; ++d) {
                     const auto axis = static_cast<std::size_t>(d);
-                    const Real shift = static_cast<Real>(image_step(run.shift, d) * periodic_.length[axis]);
+                    const Real shift = static_cast<Real>(image_step(image, d) * periodic_.length[axis]);
                     offset[d] = targets.sorted[axis][rank] - shift - sources.sorted[axis][k];
                 }
                 const Real distance2 = offset.squaredNorm();
@@ -144,6 +144,7 @@ public:
                 if (distance2 < support2 && !(a == b && i == j))
                     f(j, offset, std::sqrt(distance2));
             }
+        });
     }
     /// The same within one set.
     template <class F>

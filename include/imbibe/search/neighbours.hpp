@@ -19,7 +19,8 @@ namespace detail {
 template <int width, int dim, class Real>
 IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cast<std::size_t>(dim)>& sources,
                                const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2,
-                               std::uint32_t begin, std::uint32_t end, std::uint32_t stop, int image) {
+                               std::uint32_t begin, std::uint32_t end, std::uint32_t stop) {
+    static_assert(width <= static_cast<int>(Run::most_neighbours), "imbibe: a run has room for the count of 16");
     using T = Pack<Real, width>;
     constexpr std::uint32_t usual = 32, lanes = static_cast<std::uint32_t>(width);
     constexpr std::uint64_t one_run = (std::uint64_t(1) << lanes) - 1;
@@ -38,8 +39,7 @@ IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cas
     const auto write = [&] {
         const auto skip = static_cast<std::uint32_t>(std::countr_zero(hits));
         const std::uint32_t first = begin + skip;
-        const std::uint32_t count = std::min(lanes, stop - first);
-        *to = {first, static_cast<std::uint16_t>(count), static_cast<std::uint16_t>(image)};
+        *to = {first, std::min(lanes, stop - first)};
         to += hits != 0;
         hits &= ~(one_run << (skip & 63));
     };
@@ -55,12 +55,14 @@ IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cas
 template <int width, int dim, class Real>
 Run* append_long_stretch(Run* to, const std::array<const Real*, static_cast<std::size_t>(dim)>& sources,
                          const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2, std::uint32_t begin,
-                         std::uint32_t end, int image) {
+                         std::uint32_t end) {
     for (std::uint32_t from = begin; from < end;) {
         const std::uint32_t until = std::min(from + 64, end);
         Run* const before = to;
-        to = append_runs<width, dim, Real>(to, sources, at, support2, from, until, end, image);
-        from = to == before ? until : std::max(until, to[-1].first + to[-1].count); // the last run may go on
+        to = append_runs<width, dim, Real>(to, sources, at, support2, from, until, end);
+        from = until;
+        if (to != before) // the last run may go on
+            from = std::max(from, static_cast<std::uint32_t>(to[-1].first() + to[-1].count()));
     }
     return to;
 }
@@ -168,6 +170,7 @@ private:
     IMBIBE_INLINE void append(const std::array<const Real*, static_cast<std::size_t>(dim)>& at, std::size_t k) {
         using T = Pack<Real, width>;
         const int margin = static_cast<int>(support) + 2, own = places.cell[0][k];
+        const std::size_t before = used;
         const auto append_any = [&](std::uint32_t from, std::uint32_t until, int image) {
             if (from == until)
                 return;
@@ -180,15 +183,23 @@ private:
                 make_room(needed);
             Run* const begin = runs.data() + used;
             used += static_cast<std::size_t>(
-                append_long_stretch<width, dim, Real>(begin, source_x, seen, support2, from, until, image) - begin);
+                append_long_stretch<width, dim, Real>(begin, source_x, seen, support2, from, until) - begin);
+        };
+        const auto append_marked = [&](std::uint32_t from, std::uint32_t until, int image) {
+            const bool again = used != before && runs[used - 1] == Run::mark_of(image);
+            used -= again; // the mark comes behind these as well
+            const std::size_t had = used;
+            append_any(from, until, image);
+            if (again || used != had)
+                runs[used++] = Run::mark_of(image); // `room` is for more than the runs
         };
         if (cells.wraps(0) && (own < margin || own + margin >= cells.n(0))) [[unlikely]] {
-            across_ends(cells, table, rows, places, k, support, append_any);
+            across_ends(cells, table, rows, places, k, support, append_marked);
             return;
         }
         if (rows.shifted) [[unlikely]] {
             for (std::size_t r = 0; r < rows.size; ++r)
-                append_any(table.start(in_reach.from[r][k]), table.start(in_reach.to[r][k]), rows.list[r].image);
+                append_marked(table.start(in_reach.from[r][k]), table.start(in_reach.to[r][k]), rows.list[r].image);
             return;
         }
         struct Stretch {
@@ -210,7 +221,7 @@ private:
         Run* to = runs.data() + used;
         for (const Stretch* s = stretches; s != stretches + count; ++s)
             if (s->end - s->begin <= 64) [[likely]] {
-                to = append_runs<width, dim, Real>(to, sources, here, near2, s->begin, s->end, s->end, 0);
+                to = append_runs<width, dim, Real>(to, sources, here, near2, s->begin, s->end, s->end);
             } else {
                 used = static_cast<std::size_t>(to - runs.data());
                 append_any(s->begin, s->end, 0);
@@ -229,6 +240,8 @@ private:
 template <int width, int dim, class Real>
 void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim, Real>& sources, const Grid<dim>& grid,
                const CellTable& table, double support, int threads) {
+    require(static_cast<std::uint32_t>(sources.n) <= Run::most_particles, "a phase has ", sources.n,
+            " particles; it must be at most ", Run::most_particles, ". Make two phases of it, or space them wider");
     list.resize(targets.n, threads);
     parallel_for(list.block_count(), threads, [&](int block) {
         constexpr int at_once = static_cast<int>(detail::PlacesInCells<dim>::most);

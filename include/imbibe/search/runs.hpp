@@ -4,6 +4,7 @@
 
 #include <imbibe/core/build_options.hpp>
 #include <imbibe/core/memory.hpp>
+#include <imbibe/core/pack.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -11,12 +12,47 @@
 
 namespace imbibe::search {
 
-/// `count` consecutive neighbours from `first` on, seen through periodic image `shift` (0: none). Of a particle's runs
-/// those that are seen through none come first.
-struct Run {
-    std::uint32_t first; ///< in the sorted order
-    std::uint16_t count; ///< how many
-    std::uint16_t shift; ///< the number of the periodic image; 0: none
+/// One to 16 consecutive neighbours, or a mark behind runs that are seen through a periodic image, in 4 bytes: lists
+/// are most of what a step moves through memory.
+///
+/// A particle that sees nobody through an image has its runs and no mark. Else those that are seen through none come
+/// first, and behind all that are seen through the same image stands its mark (image 0: none).
+class Run {
+public:
+    /// A run has no more neighbours.
+    static constexpr std::uint32_t most_neighbours = 16;
+    /// Nor has a phase more particles: in 28 bits there is room for so many numbers and the 27 marks.
+    static constexpr std::uint32_t most_particles = (std::uint32_t{1} << 28) - 27;
+
+    /// To be written.
+    Run() = default;
+    /// `count` neighbours from `first` on, which is below `most_particles`.
+    Run(std::uint32_t first, std::uint32_t count) : bits(first - (count << 28)) {}
+    /// The mark of a periodic image.
+    static Run mark_of(int image) { return {most_particles + static_cast<std::uint32_t>(image), most_neighbours}; }
+
+    /// The first neighbour, in the sorted order.
+    std::size_t first() const { return bits & ~(~std::uint32_t{0} << 28); }
+    /// How many there are.
+    std::size_t count() const { return most_neighbours - std::size_t{bits >> 28}; }
+    /// Is it no run?
+    bool is_mark() const { return first() >= most_particles; }
+    /// The periodic image of a mark.
+    int image() const { return static_cast<int>(first() - most_particles); }
+    /// The next mark, or this if it is one. A call of a pure function: with the loop in its place, g++ would not know
+    /// that what comes behind is ever reached, and no longer compute before the loop over particles what is the same
+    /// for all.
+    [[gnu::pure, gnu::noinline]] const Run* mark() const {
+        const Run* run = this;
+        while (!run->is_mark())
+            ++run;
+        return run;
+    }
+    /// The same run, or the same mark.
+    friend bool operator==(Run, Run) = default;
+
+private:
+    std::uint32_t bits; ///< in the upper four, how many neighbours are missing to 16; below them the first
 };
 
 /// The runs of all particles of one phase in one other (or the same) phase. Kept in blocks of particles so that
@@ -29,7 +65,7 @@ public:
     /// Every block begins at a multiple of so many particles.
     static constexpr int smallest_block = 256;
 
-    /// The runs of one particle, to loop over.
+    /// The runs and marks of one particle.
     struct Range {
         /// The first.
         const Run* begin_;
@@ -39,6 +75,30 @@ public:
         const Run* begin() const { return begin_; }
         /// One past the last.
         const Run* end() const { return end_; }
+        /// Is there none?
+        bool is_empty() const { return begin_ == end_; }
+
+        /// Calls use(begin, end, image) for the runs from `begin` to `end` that are seen through one periodic image,
+        /// for every image through which some are seen. There must be a run.
+        template <class Use>
+        IMBIBE_INLINE void for_each_image(const Use& use) const {
+            const bool marked = end_[-1].is_mark();
+            const Run* run = begin_;
+            do {
+                const Run* const end = marked ? run->mark() : end_;
+                use(run, end, marked ? end->image() : 0);
+                run = end + marked;
+            } while (run != end_);
+        }
+        /// Calls use(run, image) for every run.
+        template <class Use>
+        void for_each(const Use& use) const {
+            if (!is_empty())
+                for_each_image([&](const Run* run, const Run* end, int image) {
+                    for (; run != end; ++run)
+                        use(*run, image);
+                });
+        }
     };
 
     /// Makes room for n particles. A block keeps the memory it once had; how much of it is used, `finish` says.

@@ -30,13 +30,13 @@ public:
                 using T = Pack<Real, width>;
                 T least2(std::numeric_limits<Real>::infinity());
                 for (int i = begin; i < end; ++i)
-                    for (const search::Run run : runs_[i]) {
+                    runs_[i].for_each([&](search::Run run, int image) {
                         T distance2(0);
                         for (int d = 0; d < dim; ++d)
-                            distance2 += sq(T(place_for(run, i, d)) -
-                                            T::load(sources_.x[static_cast<std::size_t>(d)] + run.first));
-                        least2 = min(least2, select_first(run.count, distance2, least2));
-                    }
+                            distance2 += sq(T(place_for(image, i, d)) -
+                                            T::load(sources_.x[static_cast<std::size_t>(d)] + run.first()));
+                        least2 = min(least2, select_first(static_cast<unsigned>(run.count()), distance2, least2));
+                    });
                 double nearest2 = std::numeric_limits<double>::infinity();
                 for (int k = 0; k < T::size; ++k)
                     nearest2 = std::min(nearest2, static_cast<double>(least2[k]));
@@ -77,7 +77,7 @@ public:
         return share;
     }
     /// Is target i without neighbours? That is known at once.
-    bool is_alone(int i) const { return runs_[i].begin() == runs_[i].end(); }
+    bool is_alone(int i) const { return runs_[i].is_empty(); }
 
 private:
     const search::RunList& runs_;
@@ -88,24 +88,25 @@ private:
     // Calls f(source, distance^2) for every source in the runs of target i.
     template <class F>
     void for_each(int i, const F& f) const {
-        for (const search::Run run : runs_[i])
-            for (std::uint32_t j = run.first; j < run.first + run.count; ++j) {
+        runs_[i].for_each([&](search::Run run, int image) {
+            for (std::size_t j = run.first(); j < run.first() + run.count(); ++j) {
                 double distance2 = 0;
                 for (int d = 0; d < dim; ++d)
-                    distance2 += sq(static_cast<double>(place_for(run, i, d)) -
+                    distance2 += sq(static_cast<double>(place_for(image, i, d)) -
                                     static_cast<double>(sources_.x[static_cast<std::size_t>(d)][j]));
                 f(static_cast<int>(j), distance2);
             }
+        });
     }
-    // Coordinate d of target i as it is seen from the image of the domain that a run of its neighbours is in.
-    IMBIBE_INLINE Real place_for(const search::Run& run, int i, int d) const {
+    // Coordinate d of target i as it is seen from an image of the domain.
+    IMBIBE_INLINE Real place_for(int image, int i, int d) const {
         const auto k = static_cast<std::size_t>(d);
         const Real length = static_cast<Real>(periodic_.length[k]), here = targets_.x[k][i];
         if (length == 0)
             return here;
         // What has left the box since the search is seen from where it was.
         const Real at = wraps_ ? search::into_period(here, static_cast<Real>(periodic_.lower[k]), length) : here;
-        return at - static_cast<Real>(search::image_step(run.shift, d)) * length;
+        return at - static_cast<Real>(search::image_step(image, d)) * length;
     }
 };
 

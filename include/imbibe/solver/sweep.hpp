@@ -179,17 +179,16 @@ class LeastDistances {
 public:
     LeastDistances() = default;
     explicit LeastDistances(double support) {
-        for (std::size_t count = 0; count <= lanes; ++count)
-            for (std::size_t lane = count; lane < lanes; ++lane)
-                squared_[count][lane] = static_cast<Real>(1.0001 * support * support);
+        for (std::size_t k = lanes; k < 2 * lanes; ++k)
+            squared_[k] = static_cast<Real>(1.0001 * support * support);
     }
     IMBIBE_INLINE Pack<Real, width> squared(std::size_t count) const {
-        return Pack<Real, width>::load(squared_[count]);
+        return Pack<Real, width>::load(squared_ + (lanes - count));
     }
 
 private:
     static constexpr auto lanes = static_cast<std::size_t>(width);
-    alignas(sizeof(Real) * lanes) Real squared_[lanes + 1][lanes]{};
+    alignas(sizeof(Real) * 2 * lanes) Real squared_[2 * lanes]{}; ///< zeros, then the number
 };
 
 /// What a sweep needs to know of one source, with the fields of List.
@@ -258,12 +257,13 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before
     // the loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
     if constexpr (std::is_same_v<A, typename S::B>)
-        IMBIBE_ASSUME(own_runs.begin() != own_runs.end());
-    else if (own_runs.begin() == own_runs.end())
+        IMBIBE_ASSUME(!own_runs.is_empty());
+    else if (own_runs.is_empty())
         return;
-    // Where the particle is, as seen through the periodic image of a run.
-    const auto seen_from = [&](const search::Run& run) {
-        Vector<T, dim> place;
+    own_runs.for_each_image([&](const search::Run* run, const search::Run* end,
+                                int through) __attribute__((always_inline)) {
+        const Vector<Real, dim>& image = source.images[static_cast<std::size_t>(through)];
+        Vector<T, dim> place; // of the particle, as seen through the image
         for (int d = 0; d < dim; ++d) {
             Real x = state.column(place_a + d)[i];
             // Such a phase is not wrapped, but its runs were found as if it were.
@@ -271,31 +271,22 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
                 if (const auto e = static_cast<std::size_t>(d); source.periodic->length[e] > 0)
                     x = search::into_period(x, static_cast<Real>(source.periodic->lower[e]),
                                             static_cast<Real>(source.periodic->length[e]));
-            place[d] = T(x - source.images[run.shift][d]);
+            place[d] = T(x - image[d]);
         }
-        return place;
-    };
-    const search::Run *run = own_runs.begin(), *const end = own_runs.end();
-    const bool through_images = end[-1].shift != 0; // those that are seen through images come last
-    do { // over all of them at once, or where there are images over each by itself
-        const Vector<T, dim> place = seen_from(*run);
-        std::ptrdiff_t left = through_images ? 1 : end - run;
         do {
+            const std::size_t first = run->first();
             for (int d = 0; d < dim; ++d)
-                ab.offset[d] = place[d] - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + run->first);
+                ab.offset[d] = place[d] - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + first);
             T distance2 = squared_norm(ab.offset);
             if constexpr (width > 1)
-                distance2 = max(distance2, source.least_distances.squared(run->count));
+                distance2 = max(distance2, source.least_distances.squared(run->count()));
             ab.distance = sqrt(distance2);
             for (T& c : sums.central)
                 c = T(0);
-            (add_run<N, ListB>(std::get<k>(parts), sums, a, source, material_b, ab, run->first,
-                               source.images[run->shift]),
-             ...);
+            (add_run<N, ListB>(std::get<k>(parts), sums, a, source, material_b, ab, first, image), ...);
             multiply_out<Gives<N, decltype(std::get<k>(parts)(a, std::declval<const B&>(), ab))>...>(sums, ab.offset);
-            ++run;
-        } while (--left != 0);
-    } while (run != end);
+        } while (++run != end);
+    });
 }
 
 } // namespace imbibe::detail
