@@ -5,7 +5,7 @@
 //   build-benchmark/benchmarks/peaks
 #include "support/measure.hpp"
 
-#include <imbibe/core/pack.hpp>
+#include <imbibe/core/pack_functions.hpp>
 
 #include <string>
 #include <vector>

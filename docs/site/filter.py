@@ -58,7 +58,7 @@ CONTRACT = [
     (r"static constexpr Plan plan =", "The order of its rows."),
     (r"static constexpr Bits added =", "The columns to which its rows add."),
     (r"static constexpr bool gravity =", "Does the acceleration start from gravity, or from what is in it?"),
-    # small vectors and packs: core/vector.hpp, core/pack.hpp
+    # small vectors and packs: core/vector.hpp, core/pack.hpp, core/pack_functions.hpp
     (r"using Scalar =", "The type of one number."),
     (r"using Lanes =|Lanes lanes;", "The numbers, in the processor's own type."),
     (r"static constexpr int size =", "How many numbers it has."),

@@ -5,7 +5,7 @@
 // do: these few types can. to_eigen/from_eigen cross the border.
 #pragma once
 
-#include <imbibe/core/pack.hpp>
+#include <imbibe/core/pack_functions.hpp>
 
 #include <Eigen/Core>
 

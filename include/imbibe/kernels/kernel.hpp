@@ -8,7 +8,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include <imbibe/core/pack.hpp>
+#include <imbibe/core/pack_functions.hpp>
 
 namespace imbibe {
 

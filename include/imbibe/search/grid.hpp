@@ -3,7 +3,7 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
-#include <imbibe/core/pack.hpp>
+#include <imbibe/core/pack_functions.hpp>
 #include <imbibe/core/parallel.hpp>
 
 #include <algorithm>

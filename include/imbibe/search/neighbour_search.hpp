@@ -72,7 +72,7 @@ public:
     }
 
     /// Makes the search ready after points were added or moved.
-    /// @throws Error for a coordinate that is not a finite number
+    /// @throws Error for a coordinate that is not a finite number, and for a set of more than 268 million points
     void update() {
         Bounds<dim> all;
         long long points = 0;

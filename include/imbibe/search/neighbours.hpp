@@ -236,12 +236,12 @@ private:
 /// For every target point, the runs of source points nearer than `support`. The sources are in the order of `table`.
 /// Runs may hold points beyond the support as well: compact kernels give them zero. Targets outside a periodic box
 /// (those of a total-Lagrangian phase are not wrapped) are moved into it first, so the images of their runs are those
-/// seen from there; the pair loop does the same.
+/// seen from there; the pair loop does the same. Throws Error for more sources than `Run::most_particles`.
 template <int width, int dim, class Real>
 void find_runs(RunList& list, const Points<dim, Real>& targets, const Points<dim, Real>& sources, const Grid<dim>& grid,
                const CellTable& table, double support, int threads) {
-    require(static_cast<std::uint32_t>(sources.n) <= Run::most_particles, "a phase has ", sources.n,
-            " particles; it must be at most ", Run::most_particles, ". Make two phases of it, or space them wider");
+    require(static_cast<std::uint32_t>(sources.n) <= Run::most_particles, "a phase or set has ", sources.n,
+            " particles; it must have at most ", Run::most_particles, ". Make two of it, or space them wider");
     list.resize(targets.n, threads);
     parallel_for(list.block_count(), threads, [&](int block) {
         constexpr int at_once = static_cast<int>(detail::PlacesInCells<dim>::most);

@@ -4,7 +4,7 @@
 
 #include <imbibe/core/build_options.hpp>
 #include <imbibe/core/memory.hpp>
-#include <imbibe/core/pack.hpp>
+#include <imbibe/core/compiler_hints.hpp>
 
 #include <bit>
 #include <cstdint>

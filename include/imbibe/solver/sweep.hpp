@@ -260,8 +260,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
         IMBIBE_ASSUME(!own_runs.is_empty());
     else if (own_runs.is_empty())
         return;
-    own_runs.for_each_image([&](const search::Run* run, const search::Run* end,
-                                int through) __attribute__((always_inline)) {
+    own_runs.for_each_image([&](const search::Run* run, const search::Run* end, int through) IMBIBE_INLINE_LAMBDA {
         const Vector<Real, dim>& image = source.images[static_cast<std::size_t>(through)];
         Vector<T, dim> place; // of the particle, as seen through the image
         for (int d = 0; d < dim; ++d) {
