@@ -29,16 +29,16 @@ public:
     /// `count` neighbours from `first` on, which is below `most_particles`.
     Run(std::uint32_t first, std::uint32_t count) : bits(first - (count << 28)) {}
     /// The mark of a periodic image.
-    static Run mark_of(int image) { return {most_particles + static_cast<std::uint32_t>(image), most_neighbours}; }
+    static Run mark_of(int image) { return {most_particles + static_cast<std::uint32_t>(image), 1}; }
 
     /// The first neighbour, in the sorted order.
     std::size_t first() const { return bits & ~(~std::uint32_t{0} << 28); }
     /// How many there are.
     std::size_t count() const { return most_neighbours - std::size_t{bits >> 28}; }
     /// Is it no run?
-    bool is_mark() const { return first() >= most_particles; }
+    bool is_mark() const { return bits >= mark_of(0).bits; }
     /// The periodic image of a mark.
-    int image() const { return static_cast<int>(first() - most_particles); }
+    int image() const { return static_cast<int>(bits - mark_of(0).bits); }
     /// The next mark, or this if it is one. A call of a pure function: with the loop in its place, g++ would not know
     /// that what comes behind is ever reached, and no longer compute before the loop over particles what is the same
     /// for all.
@@ -87,8 +87,8 @@ public:
             do {
                 const Run* const end = marked ? run->mark() : end_;
                 use(run, end, marked ? end->image() : 0);
-                run = end + marked;
-            } while (run != end_);
+                run = end + 1;
+            } while (marked && run != end_);
         }
         /// Calls use(run, image) for every run.
         template <class Use>
