@@ -118,11 +118,11 @@ private:
                 if constexpr (with_density)
                     rate += weight * approach; // 2
                 if constexpr (with_force) {
-                    const T meeting = negative_part(approach), away = r2 + epsilon;                  // 2
-                    const T Pi = meeting * (quadratic * meeting - linear * away) /                   // 5
-                                 (away * away * (own_density + T::load(density.data() + j)));        // 3
-                    const T push = weight * (own_pressure + T::load(pressure_term.data() + j) + Pi); // 3
-                    a0 += push * d0, a1 += push * d1, a2 += push * d2;                               // 6
+                    const T meeting = negative_part(approach), away = r2 + epsilon;                            // 2
+                    const T Pi = meeting * (quadratic * meeting - linear * away) /                             // 5
+                                 (away * away * (own_density + T::load(density.data() + j)));                  // 3
+                    const T push = weight * (own_pressure + T::load(pressure_term.data() + j) + Pi);           // 3
+                    a0 += push * d0, a1 += push * d1, a2 += push * d2;                                         // 6
                 }
             }
             if constexpr (with_density)

@@ -137,15 +137,18 @@ private:
             const Real sxx = stress[0][i], sxy = stress[1][i], sxz = stress[2][i], syy = stress[3][i],
                        syz = stress[4][i], szz = stress[5][i];
             const Real third = (exx + eyy + ezz) / 3;
-            const Real rate[6] = {
-                two_mu * (exx - third) + 2 * (a * sxy + b * sxz),   two_mu * exy + a * (syy - sxx) + b * syz + c * sxz,
-                two_mu * exz + b * (szz - sxx) + a * syz - c * sxy, two_mu * (eyy - third) + 2 * (c * syz - a * sxy),
-                two_mu * eyz + c * (szz - syy) - a * sxz - b * sxy, two_mu * (ezz - third) - 2 * (b * sxz + c * syz)};
+            const Real rate[6] = {two_mu * (exx - third) + 2 * (a * sxy + b * sxz),
+                                  two_mu * exy + a * (syy - sxx) + b * syz + c * sxz,
+                                  two_mu * exz + b * (szz - sxx) + a * syz - c * sxy,
+                                  two_mu * (eyy - third) + 2 * (c * syz - a * sxy),
+                                  two_mu * eyz + c * (szz - syy) - a * sxz - b * sxy,
+                                  two_mu * (ezz - third) - 2 * (b * sxz + c * syz)};
             for (std::size_t k = 0; k < 6; ++k)
                 stress[k][i] += dt * rate[k];
             const Real pressure = stiffness * (density[i] - rho_0), per = 1 / (density[i] * density[i]);
             for (std::size_t k = 0; k < 6; ++k)
-                stress_over_density2_[k][i] = (stress[k][i] - (k == 0 || k == 3 || k == 5 ? pressure : Real(0))) * per;
+                stress_over_density2_[k][i] =
+                    (stress[k][i] - (k == 0 || k == 3 || k == 5 ? pressure : Real(0))) * per;
         }
     }
 

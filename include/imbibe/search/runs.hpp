@@ -65,7 +65,7 @@ public:
     /// Every block begins at a multiple of so many particles.
     static constexpr int smallest_block = 256;
 
-    /// The runs and marks of one particle.
+    /// The runs and marks of one particle. To loop over it comes upon the marks too; `for_each` does not.
     struct Range {
         /// The first.
         const Run* begin_;
