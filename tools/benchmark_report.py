@@ -121,7 +121,7 @@ class Report:
     # ---- the sections ----
 
     def head(self):
-        busy = [context["load_avg"][0] for context in self.contexts if context.get("load_avg")]
+        others = [context["others"] for context in self.contexts if "others" in context]
         options = (" --quick" if self.quick else "") + (" --clang build-benchmark-clang" if self.clang else "")
         presets = "presets `benchmark` and `benchmark-clang`" if self.clang else "preset `benchmark`"
         self.lines += [
@@ -131,12 +131,12 @@ class Report:
             f"- Processor: {results.machine()}",
             f"- Compiler: {results.compiler(self.build)}",
             f"- imbibe: {self.commit}",
-            f"- Programs that ran at the same time: load average {min(busy):.1f} to {max(busy):.1f} while measuring"
-            if busy else "- Programs that ran at the same time: unknown", "",
+            f"- Processors that other programs kept busy: {min(others):.2f} to {max(others):.2f} on average, by program"
+            if others else "- Processors that other programs kept busy: unknown", "",
             "Times are CPU times of one thread, those of two threads real times; the least of "
             f"{'one repetition' if self.quick else 'five repetitions'}{self.rounds_in_words()}.",
             ""]
-        if busy and max(busy) > 1.5:
+        if others and max(others) > 0.2:
             self.lines += ["**The machine was busy: trust ratios, not the numbers themselves.**", ""]
 
     def rounds_in_words(self):

@@ -7,6 +7,9 @@ import re
 import statistics
 import subprocess
 import sys
+import time
+
+import psutil
 
 TIMES = ("particle", "moving", "hand", "evaluation", "neighbour")  # counters in seconds: the least is the best guess
 RATES = ("flops",)  # the greatest is
@@ -42,6 +45,7 @@ def run(build, results, quick, only=None):
     for name in names:
         output = os.path.join(results, f"{name}.{len(files_of(results, name))}.json")
         print(f"{name} ...", flush=True)
+        others = Others()
         # No report line on the terminal is needed, the file has it all.
         done = subprocess.run([os.path.join(folder, name), f"--benchmark_out={output}", *options], text=True,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
@@ -51,6 +55,36 @@ def run(build, results, quick, only=None):
                 os.remove(output)
         elif done.returncode != 0:
             stop(f"{name} failed with {done.returncode}:\n{done.stderr}")
+        else:
+            note(output, "others", others.share())
+
+
+class Others:
+    """What other programs, and the machine's host, have of the processors from now on."""
+
+    def __init__(self):
+        self.begin = self.now()
+
+    def share(self):
+        """Processors that others kept busy, on average."""
+        (seconds, busy), (seconds_then, busy_then) = self.now(), self.begin
+        return max(0.0, (busy - busy_then) / (seconds - seconds_then))
+
+    @staticmethod
+    def now():
+        """(seconds on a clock, seconds of all processors that neither were idle nor worked for this program)"""
+        machine, own = psutil.cpu_times(), os.times()
+        busy = machine.user + machine.nice + machine.system + getattr(machine, "steal", 0.0)
+        return time.monotonic(), busy - (own.user + own.system + own.children_user + own.children_system)
+
+
+def note(output, name, value):
+    """Adds to what the file of a program's results says of how it was measured."""
+    with open(output) as file:
+        measured = json.load(file)
+    measured["context"][name] = value
+    with open(output, "w") as file:
+        json.dump(measured, file, indent=1)
 
 
 def files_of(results, name=r"(?:peaks|bench_\w+)"):

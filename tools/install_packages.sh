@@ -16,7 +16,7 @@ for group in "$@"; do
     case $group in
         tests) packages="$packages python3-vtk9 pkg-config" ;;
         clang) packages="$packages clang libomp-dev" ;;
-        benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind" ;;
+        benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind python3-psutil" ;;
         docs) packages="$packages doxygen linkchecker" ;;
         browser) packages="$packages chromium chromium-driver python3-selenium" ;;
         studies) packages="$packages python3-scipy" ;;
