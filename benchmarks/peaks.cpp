@@ -1,12 +1,16 @@
 // Measures what this machine can do at most, so that other results can be given as a fraction of it: multiply-adds in
 // registers (counter `flops`, two per multiply-add) and the bandwidth of memory (counter `bytes`, for a = b + s c with
-// three arrays far larger than the caches, each number counted once), on one thread and on two. Run it:
+// three arrays far larger than the caches, each number counted once), on one thread and on two; and how long it waits
+// for a single number from anywhere in so many MiB (counter `read`, in seconds). Run it:
 //
 //   build-benchmark/benchmarks/peaks
 #include "support/measure.hpp"
 
+#include <imbibe/core/memory.hpp>
 #include <imbibe/core/pack_functions.hpp>
 
+#include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -57,6 +61,30 @@ void triad(benchmark::State& state, int threads) {
     state.counters["threads"] = threads;
 }
 
+/// Reads numbers of which each says where the next one is, on another cache line, in memory as scenes have it.
+void read(benchmark::State& state) {
+    using Numbers = AlignedVector<std::uint32_t>;
+    constexpr std::size_t in_line = 16;
+    auto& next = bench::kept<Numbers>(state.range(0), [](std::int64_t mebibytes) {
+        const std::size_t lines = (static_cast<std::size_t>(mebibytes) << 20) / sizeof(std::uint32_t) / in_line;
+        Numbers made(lines * in_line);
+        for (std::size_t k = 0; k < lines; ++k)
+            made[k * in_line] = static_cast<std::uint32_t>(k * in_line);
+        std::mt19937_64 random(1);
+        for (std::size_t k = lines - 1; k > 0; --k) // Sattolo (1986): one cycle through all lines
+            std::swap(made[k * in_line], made[random() % k * in_line]);
+        return made;
+    });
+    constexpr int reads = 100'000;
+    std::uint32_t at = 0;
+    for (auto _ : state)
+        for (int k = 0; k < reads; ++k) {
+            at = next[at];
+            benchmark::DoNotOptimize(at);
+        }
+    bench::per_item(state, "read", reads);
+}
+
 template <class Real>
 void register_multiply_add() {
     constexpr int width = native_width<Real>;
@@ -76,8 +104,6 @@ int main(int argc, char** argv) {
 #ifdef _OPENMP
     benchmark::RegisterBenchmark("triad/2_threads", triad, 2)->UseRealTime();
 #endif
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv))
-        return 1;
-    benchmark::RunSpecifiedBenchmarks();
+    benchmark::RegisterBenchmark("read", read)->RangeMultiplier(8)->Range(2, 1024);
+    return bench::run_registered(argc, argv);
 }

@@ -229,6 +229,14 @@ class Report:
                 row(f"{real}, {width} at a time", rf"multiply_add/{real}/\d+", "flops", "Gflop/s")
         row("memory", "triad", "bytes", "GB/s", 1)
         self.lines += table(["", "one thread", "two threads", "speed-up"], rows)
+        reads = [(int(size), one["read"]) for (size,), one in self.matches("peaks", r"read/(\d+)")]
+        if reads:
+            self.lines += [
+                "How long it waits for a number from anywhere in so much memory, where only the last read tells the place "
+                "of the next: " + ", ".join(f"{size} MiB {time * 1e9:.0f} ns" for size, time in reads) + ". Scenes larger "
+                "than the caches depend on it and, where a host lends its memory to several machines, on what memory a "
+                "program happens to get. `bench_steps --benchmark_filter=cube/float/10000000`, repeated, shows whether "
+                "it does here.", ""]
 
     def steps(self):
         def rows_of(program, pattern, size_name):

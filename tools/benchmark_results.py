@@ -11,7 +11,7 @@ import time
 
 import psutil
 
-TIMES = ("particle", "moving", "hand", "evaluation", "neighbour")  # counters in seconds: the least is the best guess
+TIMES = ("particle", "moving", "hand", "evaluation", "neighbour", "read")  # counters in seconds: the least is the best guess
 RATES = ("flops",)  # the greatest is
 
 FULL = ["--benchmark_repetitions=5", "--benchmark_min_time=0.2"]

@@ -13,13 +13,13 @@
 #pragma once
 
 #include "case.hpp"
-#include "water_on_rubber.hpp"
+#include "hydroelastic.hpp"
 
 #include <deque>
 
 namespace validation::dam_break_on_box {
 
-using namespace water_on_rubber; // the water, the tank and how they push
+using namespace hydroelastic; // the water, the tank and how they push
 struct Box : sph::Wall<> {};
 using Basin = sph::Solver<3, float, sph::SymplecticEuler, Column, Tank, Box, Push<Tank>, Push<Box>>;
 

@@ -4,16 +4,16 @@
 // it since: the upper end is 0.045 to 0.05 m aside at 0.24 to 0.26 s.
 // Geometry: water 0.146 x 0.292 m in a tank 0.584 m long; baffle 12 x 80 mm, 0.292 m from the wall; 2500 kg/m^3,
 // 1e6 Pa, nu = 0; water and baffle have one spacing.
-// Scheme: water_on_rubber.hpp.
+// Scheme: hydroelastic.hpp.
 // Measure: the mean of the two uppermost corners' way aside; its first peak.
 #pragma once
 
 #include "case.hpp"
-#include "water_on_rubber.hpp"
+#include "hydroelastic.hpp"
 
 namespace validation::elastic_baffle {
 
-using namespace water_on_rubber;
+using namespace hydroelastic;
 
 struct Peak {
     double aside, time; ///< m, s

@@ -5,18 +5,18 @@
 // Geometry: water 0.1 m wide and 0.14 m high; gate 79 mm high and 5 mm thick, held above that, 1100 kg/m^3; water and
 // gate have one spacing.
 // Rubber: 1.2e7 Pa and nu = 0.4 as they give it, and 7.8e6 Pa and 0.47 as later papers do for the same gate.
-// Scheme: water_on_rubber.hpp.
+// Scheme: hydroelastic.hpp.
 // Measure: the mean way of the particles of the gate's lower end.
 #pragma once
 
 #include "case.hpp"
-#include "water_on_rubber.hpp"
+#include "hydroelastic.hpp"
 
 #include <imbibe/monitor/displacement.hpp>
 
 namespace validation::elastic_gate {
 
-using namespace water_on_rubber;
+using namespace hydroelastic;
 
 struct Way {
     sph::Point<2> greatest{0, 0}, last{0, 0}; ///< of the lower end, when it is farthest aside and at last, m

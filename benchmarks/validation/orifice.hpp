@@ -5,20 +5,20 @@
 // Geometry: plane; slot 0.1 m wide, in the middle of a floor 1 m wide and three layers of particles thick, whose
 // edges fall away from the slot with 45 degrees below the first layer; 1 m of water. What has fallen 0.3 m below the
 // floor is taken out.
-// Scheme: water_on_rubber.hpp without its rubber: Wendland C2 of 2.6 spacings, density diffusion and floor, walls
+// Scheme: hydroelastic.hpp without its rubber: Wendland C2 of 2.6 spacings, density diffusion and floor, walls
 // that do not pull.
 // Measure: while the surface sinks from 0.9 to 0.6 m, the water that has left over the slot's width times the
 // integral of sqrt(2 g h), with h the mean height of the water that is left.
 #pragma once
 
 #include "case.hpp"
-#include "water_on_rubber.hpp"
+#include "hydroelastic.hpp"
 
 #include <numbers>
 
 namespace validation::orifice {
 
-using namespace water_on_rubber;
+using namespace hydroelastic;
 using Tub = sph::Solver<2, double, sph::SymplecticEuler, Column, Tank, Push<Tank>>;
 
 /// The discharge coefficient. @param across particles over the slot's width

@@ -2,20 +2,20 @@
 //
 // Reference: Fourey et al. (2017): two-dimensional elasticity gives 7.065e-5 m, the theory of thin beams 6.860e-5 m.
 // Geometry: 1 m wide, the plate 0.05 m thick; 2700 kg/m^3, 67.5e9 Pa, nu = 0.34; water and plate have one spacing.
-// Scheme: water_on_rubber.hpp; its sub-cycling gives the metal, whose sound is a hundred times as fast as the
+// Scheme: hydroelastic.hpp; its sub-cycling gives the metal, whose sound is a hundred times as fast as the
 // water's, some two hundred steps in each of the water's. The water starts with the pressure of its weight.
 // Measure: the mean sag of the two columns in the middle over the last tenth of 0.3 s; water and plate are damped,
 // each about critically, until then.
 #pragma once
 
 #include "case.hpp"
-#include "water_on_rubber.hpp"
+#include "hydroelastic.hpp"
 
 #include <imbibe/monitor/displacement.hpp>
 
 namespace validation::stiff_plate {
 
-using namespace water_on_rubber;
+using namespace hydroelastic;
 
 /// How far the middle hangs down, m. @param across particles over the thickness of the plate
 inline double sag(int across) {

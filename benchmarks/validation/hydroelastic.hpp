@@ -1,6 +1,7 @@
-// The scheme of the two cases in which water bends rubber: that of examples/elastic_gate.cpp, in double. Wendland C2
-// of 2.6 spacings for the water, density diffusion and floor, MonaghanViscosity with alpha = 0.02, walls that do not
-// pull, the rubber sub-cycled. Its own support is 1.5 spacings, its modulus that of bending_modulus.
+// The scheme of the cases in which water under gravity runs against walls and what yields to it: that of
+// examples/elastic_gate.cpp, in double. Wendland C2 of 2.6 spacings for the water, density diffusion and floor,
+// MonaghanViscosity with alpha = 0.02, walls that do not pull, the rubber sub-cycled. Its own support is 1.5 spacings,
+// its modulus that of bending_modulus.
 #pragma once
 
 #include "free_surface.hpp"
@@ -9,7 +10,7 @@
 #include <imbibe/fluid/density_floor.hpp>
 #include <imbibe/time/subcycled.hpp>
 
-namespace validation::water_on_rubber {
+namespace validation::hydroelastic {
 
 using K = sph::WendlandC2;
 struct Column : Water<K, sph::DensityFloor, sph::MonaghanViscosity<K>> {};
@@ -50,4 +51,4 @@ inline Rubber rubber(double young, double poisson, double density, int across, d
     return material;
 }
 
-} // namespace validation::water_on_rubber
+} // namespace validation::hydroelastic
