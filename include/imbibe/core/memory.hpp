@@ -7,9 +7,9 @@
 
 namespace imbibe {
 
-/// An allocator of memory that begins on a cache line, so that the packs of a loop over all particles do. How large the
-/// pages of memory are is left to the system: where `benchmarks/bench_steps` asked for huge ones, with a million
-/// particles and with ten, steps took longer.
+/// An allocator of memory that begins on a cache line, so that the packs of a loop over all particles do. The size of
+/// the pages of memory is left to the system: the steps of `benchmarks/bench_steps` took a tenth longer where it was
+/// asked for huge ones (a virtual machine, AMD Zen 5), and much longer where only a part of the memory had them.
 template <class T>
 struct AlignedAllocator {
     /// What it makes room for.
@@ -25,13 +25,9 @@ struct AlignedAllocator {
         return static_cast<T*>(::operator new(n * sizeof(T), alignment));
     }
     /// Gives memory for n numbers back.
-    void deallocate(T* place, std::size_t) {
-        ::operator delete(place, alignment);
-    }
+    void deallocate(T* place, std::size_t) { ::operator delete(place, alignment); }
     /// Any may give back what another has given.
-    friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) {
-        return true;
-    }
+    friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
 
 private:
     static constexpr std::align_val_t alignment{64};
