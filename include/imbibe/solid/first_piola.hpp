@@ -24,9 +24,9 @@ constexpr double lame_lambda(const auto& material) {
 // The time a longitudinal wave takes across a particle, or less: corrected gradients are steep at free corners, the
 // more so the shorter the support r = H/spacing, and where volume is stiffer than shape a corner swings in all
 // directions at once. The factors lie below the exact limits, 2 over the highest frequency, of free cubes and squares
-// (tests/terms/test_total_lagrangian.cpp), not of plates of two layers, and not where particles are placed at random.
-// The greatest speed is in the limit because a speed near that of sound means strains near one, at which the laws
-// stiffen.
+// (tests/terms/test_total_lagrangian.cpp, which says how far above they are for bodies two or three particles thick),
+// and not where particles are placed at random. The greatest speed is in the limit because a speed near that of sound
+// means strains near one, at which the laws stiffen.
 double elastic_wave_limit(const auto& material, const TimeStepInput& in) {
     const double lambda = lame_lambda(material), r = in.support_radius / in.spacing;
     const double bulky = std::max(lambda / (lambda + 2 * material.shear_modulus), 0.0); // nu/(1 - nu)
