@@ -191,7 +191,8 @@ void check_hourglass() {
 }
 
 // The limit on steps over the exact one, 2 over the highest frequency of a free plate so many particles `across` and so
-// many `layers` thick, by power iteration. Which motion that is, is no matter of choice: it is mostly one of the corners.
+// many `layers` thick, by power iteration. Which motion that is, is no matter of choice: it is mostly one of the
+// corners.
 template <int dim>
 double share_of_exact_limit(double poisson, double support, int across, int layers) {
     auto material = foam();
