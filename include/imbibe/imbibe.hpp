@@ -59,6 +59,7 @@
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
+#include <imbibe/time/dual_stepping.hpp>
 #include <imbibe/time/leapfrog.hpp>
 #include <imbibe/time/midpoint_runge_kutta.hpp>
 #include <imbibe/time/position_verlet.hpp>

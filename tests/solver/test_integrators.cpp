@@ -1,4 +1,4 @@
-// Integrators: their order, what they conserve, and sub-cycling against plain stepping.
+// Integrators: their order, what they conserve; sub-cycling and dual stepping against plain stepping.
 #include <catch_shim.hpp>
 
 #include <imbibe/imbibe.hpp>
@@ -206,6 +206,100 @@ TEST_CASE("Sub-cycling conserves momentum, takes long steps, and comes to the sa
     const Eigen::RowVector2d mean_plain = plain.scene[plain.rubber][velocity].colwise().mean(),
                              mean_cycled = cycled.scene[cycled.rubber][velocity].colwise().mean();
     CHECK((mean_plain - mean_cycled).norm() < 0.01 * mean_plain.norm());
+}
+
+namespace {
+
+struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::DensityDiffusion<C2>,
+                          sph::VolumePressure<C2>, sph::MorrisViscosity<C2>, sph::ParticleShifting<C2>> {};
+using Dual = sph::DualStepping<sph::MorrisViscosity<C2>, sph::ParticleShifting<C2>>;
+template <class Integrator>
+using Square = sph::Solver<2, double, Integrator, Syrup>;
+
+/// Syrup in a periodic square that is sheared at 1 m/s, u = sin(2 pi y), and swells a little at the start.
+template <class Integrator>
+Square<Integrator> sheared() {
+    constexpr double dx = 0.05;
+    Square<Integrator> scene({.support_radius = 3 * dx,
+                              .periodic_lower = {0, 0},
+                              .periodic_length = {1, 1},
+                              .search_skin = 0.2}); // no pair is missed during a long step
+    const auto syrup = scene.add(Syrup{{.density = 1000, .sound_speed = 20, .viscosity = 10}},
+                                 sph::fill(sph::Box<2>{{0, 0}, {1, 1}}, dx), dx);
+    auto view = scene[syrup];
+    for (int i = 0; i < view.size(); ++i) {
+        view[velocity].row(i) << std::sin(2 * std::numbers::pi * view[position](i, 1)), 0;
+        view[density](i, 0) *= 1 + 1e-4 * std::sin(2 * std::numbers::pi * view[position](i, 0));
+    }
+    return scene;
+}
+template <class Integrator>
+MatrixXd syrup_after(double time, int steps) {
+    auto scene = sheared<Integrator>();
+    for (int k = 0; k < steps; ++k)
+        scene.step(time / steps);
+    return in_order<true>(scene.template get<Syrup>());
+}
+
+} // namespace
+
+TEST_CASE("Dual stepping is of first order", "[integrators]") {
+    const double time = 0.02;
+    const MatrixXd exact = syrup_after<sph::SymplecticEuler>(time, 3000);
+    CHECK(order_of([&](int steps) { return syrup_after<Dual>(time, steps); }, 40, exact) == Approx(1).margin(0.2));
+}
+
+TEST_CASE("Dual stepping evaluates the slow terms once in a long step", "[integrators]") {
+    using Whole = Square<Dual>::Scene;
+    using Slow = Whole::TermsOf<Dual::Slow>;
+    using Fast = Whole::AllButTermsOf<Dual::Slow>;
+    STATIC_REQUIRE(Slow::plan.sweeps(0) == 2); // viscosity with the sums of shifting, then the nearness of the surface
+    STATIC_REQUIRE(Fast::plan.sweeps(0) == 2); // rates of the density, then pressure
+    STATIC_REQUIRE(sph::Costs<Square<Dual>>::sweeps<Syrup> == 4);
+    STATIC_REQUIRE(sph::Costs<Square<sph::SymplecticEuler>>::sweeps<Syrup> == 3);
+    // what both ask for is there in each of them
+    STATIC_REQUIRE(Slow::Rows::size + Fast::Rows::size >= Whole::StepRows::size);
+
+    auto plain = sheared<sph::SymplecticEuler>();
+    auto dual = sheared<Dual>();
+    plain.step();
+    dual.step(); // there is an acceleration now
+    CHECK(dual.next_step().seconds > 4 * plain.next_step().seconds);
+    const auto named = [](const auto& limits, const char* reason) {
+        for (const auto& limit : limits)
+            if (limit.reason == reason)
+                return true;
+        return false;
+    };
+    CHECK(named(dual.time_step_limits(), "advection"));
+    CHECK(named(dual.time_step_limits(), "viscous diffusion"));
+    CHECK_FALSE(named(dual.time_step_limits(), "sound"));
+    CHECK(named(dual.substep_limits(), "sound"));
+    CHECK(named(dual.substep_limits(), "acceleration"));
+    CHECK_FALSE(named(dual.substep_limits(), "viscous diffusion"));
+    CHECK(dual.time_step_limits().size() + dual.substep_limits().size() == plain.time_step_limits().size() + 1);
+}
+
+TEST_CASE("Dual stepping conserves momentum and slows a sheared flow down as it should", "[integrators]") {
+    const double end = 0.5;
+    auto plain = sheared<sph::SymplecticEuler>();
+    auto dual = sheared<Dual>();
+    long long substeps = 0;
+    const auto fourier = [](const auto& phase) { // of sin(2 pi y), m/s
+        double sum = 0;
+        for (int i = 0; i < phase.size(); ++i)
+            sum += 2 * phase[velocity](i, 0) * std::sin(2 * std::numbers::pi * phase[position](i, 1));
+        return sum / phase.size();
+    };
+    plain.run_until(end);
+    dual.run_until(end, [&](const auto& scene) { substeps += scene.substeps(); });
+    CHECK(dual.steps() * 4 < plain.steps());
+    CHECK(substeps > 4 * dual.steps());
+    const auto syrup = dual.get<Syrup>();
+    CHECK((syrup[velocity].colwise().sum() / syrup.size()).norm() < 1e-12);
+    const double exact = std::exp(-0.01 * 4 * std::numbers::pi * std::numbers::pi * end);
+    CHECK(fourier(plain.get<Syrup>()) == Approx(exact).epsilon(0.02));
+    CHECK(fourier(syrup) == Approx(fourier(plain.get<Syrup>())).epsilon(0.01));
 }
 
 namespace {

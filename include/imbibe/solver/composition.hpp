@@ -2,9 +2,8 @@
 // schedule, the plan, and the rules it must keep.
 #pragma once
 
-#include <imbibe/solver/nodes.hpp>
+#include <imbibe/solver/passes.hpp>
 #include <imbibe/solver/rules.hpp>
-#include <imbibe/solver/schedule.hpp>
 
 namespace imbibe {
 
@@ -12,6 +11,8 @@ namespace imbibe {
 /// @tparam Items the phases and couplings of the scene
 template <int dim, class... Items>
 struct Composition {
+    /// 2 or 3.
+    static constexpr int dimension = dim;
     /// The phases and couplings as they were given.
     using All = TypeList<Items...>;
     /// The couplings listed.
@@ -252,11 +253,16 @@ struct Composition {
         return bits;
     }
     static constexpr Bits given = given_at_start(Phases{});
+    // The order of some rows of a step, when those in `Before` have been evaluated.
+    template <class Rows, class Before>
+    static constexpr Plan plan_of(Rows, Before) {
+        return schedule(rows(Rows{}), given | written_by(OnceRows{}) | written_by(Before{}));
+    }
     /// @endcond
     /// The order of the rows that are evaluated once.
     static constexpr Plan once_plan = schedule(rows(OnceRows{}), given);
     /// The order of the rows of a step.
-    static constexpr Plan plan = schedule(rows(StepRows{}), given | written_by(OnceRows{}));
+    static constexpr Plan plan = plan_of(StepRows{}, TypeList<>{});
 
     // ---- what an integrator can ask for, a pass: rows, the plan that orders them, what they add to ----
     // `gravity`: does the acceleration of all phases start from gravity, or is something in it already?
@@ -278,84 +284,26 @@ struct Composition {
     /// All terms, with the states as they are: rates and forces of one moment, in as few sweeps as they need.
     struct Rates {
         using Rows = detail::Filter<KeepEveryStep, Nodes>;
-        static constexpr Plan plan = schedule(rows(Rows{}), given | written_by(OnceRows{}));
+        static constexpr Plan plan = plan_of(Rows{}, TypeList<>{});
         static constexpr Bits added = added_by(Rows{});
         static constexpr bool gravity = true;
     };
-    /// @cond
-    // Which rows of a step advance states, with all that their rates are made of; and all others, with what these need.
-    static constexpr Bits find_rows_for_states() {
-        const auto all = rows(StepRows{});
-        Bits chosen;
-        for (std::size_t k = 0; k < all.size(); ++k)
-            if (all[k].advances)
-                chosen.set(static_cast<int>(k));
-        return with_what_they_read(all, chosen);
-    }
-    static constexpr Bits rows_for_states = find_rows_for_states();
-    static constexpr Bits find_rows_for_forces() {
-        const auto all = rows(StepRows{});
-        Bits chosen;
-        for (int k = 0; k < static_cast<int>(all.size()); ++k)
-            if (!rows_for_states.test(k))
-                chosen.set(k);
-        return with_what_they_read(all, chosen);
-    }
-    static constexpr Bits rows_for_forces = find_rows_for_forces();
-    template <class N>
-    struct ForStates : std::bool_constant<rows_for_states.test(detail::index_of<N, StepRows>)> {};
-    template <class N>
-    struct ForForces : std::bool_constant<rows_for_forces.test(detail::index_of<N, StepRows>)> {};
-    /// @endcond
     /// What the rates of states are made of; the states advance at its end.
-    struct States {
-        using Rows = detail::Filter<ForStates, StepRows>;
-        static constexpr Plan plan = schedule(rows(Rows{}), given | written_by(OnceRows{}));
-        static constexpr Bits added = added_by(Rows{});
-        static constexpr bool gravity = false;
-    };
+    using States = detail::States<Composition>;
     /// All other terms: forces, with the states as they are.
-    struct Forces {
-        using Rows = detail::Filter<ForForces, StepRows>;
-        static constexpr Plan plan = schedule(rows(Rows{}), given | written_by(OnceRows{}));
-        static constexpr Bits added = added_by(Rows{});
-        static constexpr bool gravity = true;
-    };
-    /// @cond
-    template <class P>
-    struct KeepOwn {
-        template <class N>
-        static constexpr bool keep() {
-            if constexpr (is_advance<N>)
-                return std::is_same_v<typename N::A, P>;
-            else
-                return std::is_same_v<typename N::Owner, P>;
-        }
-        template <class N>
-        struct Own : std::bool_constant<keep<N>()> {};
-        template <class N>
-        struct Other : std::bool_constant<!keep<N>()> {};
-    };
-    /// @endcond
+    using Forces = detail::Forces<Composition>;
     /// The terms of phase P itself, which act on top of what couplings have put into its acceleration.
     template <class P>
-    struct OwnTerms {
-        using Rows = detail::Filter<KeepOwn<P>::template Own, StepRows>;
-        /// The rows of all others.
-        using Others = detail::Filter<KeepOwn<P>::template Other, StepRows>;
-        static constexpr Plan plan = schedule(rows(Rows{}), given | written_by(OnceRows{}) | written_by(Others{}));
-        static constexpr Bits added = added_by(Rows{}) - columns<P>(TypeList<Rate<Velocity>>{});
-        static constexpr bool gravity = false;
-    };
+    using OwnTerms = detail::OwnTerms<Composition, P>;
     /// All other terms: those of the other phases and all couplings.
     template <class P>
-    struct AllButOwnTerms {
-        using Rows = typename OwnTerms<P>::Others;
-        static constexpr Plan plan =
-            schedule(rows(Rows{}), given | written_by(OnceRows{}) | written_by(typename OwnTerms<P>::Rows{}));
-        static constexpr Bits added = added_by(Rows{});
-        static constexpr bool gravity = true;
-    };
+    using AllButOwnTerms = detail::AllButOwnTerms<Composition, P>;
+    /// The terms in a `TypeList`, with what only they ask for, with the states as they are.
+    template <class List>
+    using TermsOf = detail::TermsOf<Composition, List>;
+    /// All other terms, which act on top of what those in the list have put into accelerations; states advance.
+    template <class List>
+    using AllButTermsOf = detail::AllButTermsOf<Composition, List>;
 
     // ---- the rules ----
     /// @cond

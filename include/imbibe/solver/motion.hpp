@@ -87,12 +87,28 @@ public:
             for (std::size_t i = d * s.stride(); i < d * s.stride() + static_cast<std::size_t>(s.size()); ++i)
                 to[i] = static_cast<Real>(by) * (now[i] - before[i]);
     }
-    /// Room for one vector per particle of phase P, laid out as its fields are.
-    template <class P>
-    AlignedVector<Real>& spare_vector() {
-        auto& room = std::get<Kept<P>>(kept).spare;
-        room.resize(this->template state<P>().stride() * static_cast<std::size_t>(dim));
-        return room;
+    /// Keeps a copy of the accelerations, of all that moves.
+    void keep_accelerations() { keep_accelerations_if<Every>(); }
+    /// The accelerations as they were kept. The order of the particles must not have changed since.
+    void restore_accelerations() { restore_accelerations_if<Every>(); }
+    /// The same for the phases with Chosen<P>::value.
+    template <template <class> class Chosen>
+    void keep_accelerations_if() {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            if constexpr (P::moves && Chosen<P>::value) {
+                auto& copy = std::get<Kept<P>>(kept).accelerations;
+                copy.resize(s.stride() * static_cast<std::size_t>(dim));
+                copy_vectors(s.field(acceleration), copy.data(), s.stride(), s.size());
+            }
+        });
+    }
+    template <template <class> class Chosen>
+    void restore_accelerations_if() {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            if constexpr (P::moves && Chosen<P>::value)
+                copy_vectors(std::get<Kept<P>>(kept).accelerations.data(), s.field(acceleration), s.stride(),
+                             s.size());
+        });
     }
 
     /// Measures the greatest speed of every phase; its acceleration is at least gravity. For the first step.
@@ -125,7 +141,7 @@ private:
     static constexpr std::size_t kept_offset = static_cast<std::size_t>(component_offset<dim, F, KeptFields<P>>);
     template <class P>
     struct Kept {
-        AlignedVector<Real> values, spare;
+        AlignedVector<Real> values, accelerations;
     };
     template <class List>
     struct AllKept;
@@ -135,6 +151,13 @@ private:
     };
     typename AllKept<typename Scene::Phases>::type kept;
 
+    [[gnu::noinline]] void copy_vectors(const Real* from, Real* to, std::size_t stride, int n) {
+        const auto block = [&](int begin, int end) {
+            for (std::size_t d = 0; d < dim; ++d)
+                std::copy_n(from + d * stride + begin, end - begin, to + d * stride + begin);
+        };
+        loop_blocks(n, 4096, this->threads, Callable<void(int, int)>(block));
+    }
     template <class S, class... F>
     static void copy_kept(const S& s, AlignedVector<Real>& copy, TypeList<F...> list) {
         [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {

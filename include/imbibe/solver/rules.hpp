@@ -17,6 +17,8 @@ struct list_the_phase_in_the_solver;
 struct list_the_coupling_in_the_solver;
 struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
+struct list_it_in_a_phase_or_coupling_or_do_not_name_it;
+struct let_every_short_step_evaluate_it;
 struct list_each_phase_and_coupling_once;
 struct list_the_term_Clamped_in_the_phase;
 struct remove_particles_of_other_phases_only;
@@ -84,6 +86,16 @@ struct NoSuchPhase {
 template <class What, class Advice>
 struct NotInTheScene {
     static_assert(never<What>, "imbibe: the scene does not have this phase or coupling");
+};
+/// Rule: the terms that an integrator evaluates less often than others are terms of the scene.
+template <class Term, class Advice>
+struct TermNotInTheScene {
+    static_assert(never<Term>, "imbibe: the integrator names this term, which no phase or coupling of the scene lists");
+};
+/// Rule: a term that is evaluated once in a long step adds to no rate by which every short step advances a state.
+template <class State, class Term, class Advice>
+struct SlowTermOfState {
+    static_assert(never<Term>, "imbibe: a term that is to be evaluated less often changes a state in every short step");
 };
 /// Rule: a phase of which particles are held has the term that holds them.
 template <class Phase, class Advice>

@@ -37,7 +37,7 @@ struct Settings {
     int search_interval = 1;
     /// Neighbours that serve several steps are looked for this much further than the support radius, as a share of it,
     /// and serve until a particle may have travelled half of that: then no pair is missed (Verlet 1967). 0: the 5 % of
-    /// `search_interval`. A wide skin makes searches rare and sums long; 0.1 is a good choice where steps are short
+    /// `search_interval`. It also serves the short steps of DualStepping. A wide skin makes searches rare and sums long; 0.1 is a good choice where steps are short
     /// beside the particles' own motion.
     double search_skin = 0;
     /// Threads; 0: all of the machine.

@@ -59,7 +59,7 @@ public:
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
         engine_.search_interval = with.search_interval;
-        engine_.search_skin = with.search_interval > 1 ? with.search_skin : 0;
+        engine_.search_skin = with.search_interval > 1 || subcycles ? with.search_skin : 0;
         engine_.threads = with.threads > 0 ? with.threads : available_threads();
         for (std::size_t d = 0; d < dim; ++d)
             engine_.periodic.lower[d] = with.periodic_lower[d] - with.origin[d];
@@ -189,15 +189,13 @@ public:
 
     /// All limits on the next step, without the CFL number, shortest first.
     std::vector<TimeStepLimit> time_step_limits() const;
-    /// Does one phase take shorter steps than the others (time/subcycled.hpp)?
-    static constexpr bool subcycles = requires { typename Integrator::Fast; };
-    /// The limits on the steps of the phase that is sub-cycled, without the CFL number, shortest first.
+    /// Is a step made of shorter ones of one phase (time/subcycled.hpp) or of some terms (time/dual_stepping.hpp)?
+    static constexpr bool subcycles = requires { Integrator::template in_substeps<void, void>; };
+    /// The limits on these shorter steps, without the CFL number, shortest first.
     std::vector<TimeStepLimit> substep_limits() const requires subcycles {
-        detail::TimeStepLimits<Engine> limits(engine_);
-        limits.template add_phase<typename Integrator::Fast>();
-        return std::move(limits).sorted();
+        return limits_of<OfSubsteps>();
     }
-    /// How many steps the sub-cycled phase took within the last one.
+    /// How many of them the last step was made of.
     int substeps() const requires subcycles { return substeps_; }
     /// The step that would be taken next, and what limits it.
     TimeStepLimit next_step() const {
@@ -311,6 +309,8 @@ private:
                 rules::NoIntegrator<I, put_an_integrator_such_as_SymplecticEuler_before_the_phases>>();
         else if constexpr (requires { typename I::Fast; })
             return in_the_scene<typename I::Fast, Phases, list_the_phase_in_the_solver>();
+        else if constexpr (requires { typename I::Slow; })
+            return detail::RowsOfTerms<Scene, typename I::Slow>::check();
         else
             return true;
     }
@@ -413,25 +413,24 @@ private:
             warnings_.push_back(sentence);
     }
 
-    // The limits of all phases but the one that is sub-cycled, and of all couplings.
-    template <class... P>
-    static void add_phases(detail::TimeStepLimits<Engine>& limits, TypeList<P...>) {
-        [[maybe_unused]] const auto unless_subcycled = [&]<class Q>(std::type_identity<Q>) {
-            if constexpr (!is_subcycled<Q>())
-                limits.template add_phase<Q>();
-        };
-        (unless_subcycled(std::type_identity<P>{}), ...);
-    }
-    template <class P>
-    static constexpr bool is_subcycled() {
-        if constexpr (subcycles)
-            return std::is_same_v<P, typename Integrator::Fast>;
-        else
-            return false;
-    }
-    template <class... C>
-    static void add_couplings([[maybe_unused]] detail::TimeStepLimits<Engine>& limits, TypeList<C...>) {
-        (limits.template add_coupling<C>(), ...);
+    // Which limits are on a step, and which on the shorter ones that it is made of.
+    struct OfSubsteps {
+        template <class Where, class Term>
+        static constexpr bool chosen = Integrator::template in_substeps<Where, Term>;
+    };
+    struct OfLongSteps {
+        template <class Where, class Term>
+        static constexpr bool chosen = !Integrator::template in_substeps<Where, Term>;
+    };
+    using OfSteps = std::conditional_t<subcycles, OfLongSteps, detail::AllLimits>;
+    template <class Which>
+    std::vector<TimeStepLimit> limits_of() const {
+        detail::TimeStepLimits<Engine, Which> limits(engine_);
+        [&]<class... P>(TypeList<P...>) { (limits.template add_phase<P>(), ...); }(Phases{});
+        [&]<class... C>(TypeList<C...>) { (limits.template add_coupling<C>(), ...); }(Couplings{});
+        if constexpr (std::is_same_v<Which, OfLongSteps> && requires { Integrator::limits_advection; })
+            [&]<class... P>(TypeList<P...>) { (limits.template add_advection<P>(), ...); }(Phases{});
+        return std::move(limits).sorted();
     }
 };
 
@@ -491,10 +490,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
 
 template <int dim, class Real_, class Integrator, class... Items>
 std::vector<TimeStepLimit> Solver<dim, Real_, Integrator, Items...>::time_step_limits() const {
-    detail::TimeStepLimits<Engine> limits(engine_);
-    add_phases(limits, Phases{});
-    add_couplings(limits, Couplings{});
-    return std::move(limits).sorted();
+    return limits_of<OfSteps>();
 }
 
 template <int dim, class Real_, class Integrator, class... Items>
@@ -522,11 +518,11 @@ void Solver<dim, Real_, Integrator, Items...>::take(const TimeStepLimit& chosen)
         if constexpr (!steps_are_defined) {
             return; // an error of its own
         } else if constexpr (subcycles) {
-            const double within = settings_.cfl * shortest(substep_limits()).seconds;
+            const TimeStepLimit limit = shortest(substep_limits());
+            const double within = settings_.cfl * limit.seconds;
             const double count = std::ceil(chosen.seconds / within * (1 - 1e-9));
             require(count < 1e6, "a step of ", chosen.seconds, " s asks for ", count, " steps of ", within, " s (",
-                    shortest(substep_limits()).reason, ") of phase ", detail::type_name<typename Integrator::Fast>(),
-                    "; at most a million are taken");
+                    limit.reason, ", ", limit.where, "); at most a million are taken");
             substeps_ = std::max(1, static_cast<int>(count));
             Integrator::step(engine_, chosen.seconds, substeps_);
         } else {

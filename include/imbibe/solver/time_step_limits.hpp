@@ -38,8 +38,18 @@ private:
     std::vector<TimeStepLimit> limits_;
 };
 
+struct Acceleration; ///< stands for the limit on how far an acceleration throws a particle, which is of no term
+
+/// All limits are chosen.
+struct AllLimits {
+    /// Is that of `Term`, in a phase or coupling?
+    template <class Where, class Term>
+    static constexpr bool chosen = true;
+};
+
 /// Collects the limits that the terms of phases and couplings offer by `time_step_limit`, for the present speeds.
-template <class Engine>
+/// @tparam Which says which of them: see AllLimits
+template <class Engine, class Which = AllLimits>
 class TimeStepLimits : public SortedLimits {
 public:
     explicit TimeStepLimits(const Engine& engine) : engine_(engine) {}
@@ -53,6 +63,17 @@ public:
     template <class C>
     void add_coupling() {
         add_terms_of_coupling<C>(typename C::terms{});
+    }
+    /// How long a particle of phase P takes for its spacing, at its present speed or by its present acceleration.
+    template <class P>
+    void add_advection() {
+        if constexpr (P::moves) {
+            const auto& motion = engine_.template motion<P>();
+            const double spacing = material<P>().spacing;
+            const double speed = std::max(motion.speed, std::sqrt(spacing * motion.acceleration));
+            if (engine_.template state<P>().size() > 0 && speed > 0)
+                add(spacing / speed, "advection", type_name<P>());
+        }
     }
 
 private:
@@ -76,9 +97,19 @@ private:
         if (engine_.template state<P>().size() == 0)
             return;
         const TimeStepInput in = input_of<P>();
-        (add_term<Term, P>(material<P>(), with_greatest<Term, P>(in), material<P>()), ...);
-        if (P::moves && in.max_acceleration > 0)
+        (add_term_of_phase<Term, P>(in), ...);
+        if (P::moves && Which::template chosen<P, Acceleration> && in.max_acceleration > 0)
             add(std::sqrt(in.spacing / in.max_acceleration), "acceleration", type_name<P>());
+    }
+    template <class Term, class P>
+    void add_term_of_phase(const TimeStepInput& in) {
+        if constexpr (Which::template chosen<P, Term>)
+            add_term<Term, P>(material<P>(), with_greatest<Term, P>(in), material<P>());
+    }
+    template <class Term, class C, class A, class B>
+    void add_term_of_coupling(const TimeStepInput& in) {
+        if constexpr (Which::template chosen<C, Term>)
+            add_term<Term, C>(engine_.template coupling<C>(), in, material<A>(), material<B>());
     }
     template <class C, class... Term>
     void add_terms_of_coupling(TypeList<Term...>) {
@@ -93,8 +124,7 @@ private:
         in.other_spacing = other.spacing;
         in.other_max_speed = other.max_speed;
         in.nearest = engine_.template nearest_of<C>();
-        (add_term<typename Unwrapped<Term>::type, C>(engine_.template coupling<C>(), in, material<A>(), material<B>()),
-         ...);
+        (add_term_of_coupling<typename Unwrapped<Term>::type, C, A, B>(in), ...);
     }
     template <class Term, class P>
     TimeStepInput with_greatest(TimeStepInput in) const {

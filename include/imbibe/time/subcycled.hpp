@@ -54,13 +54,16 @@ struct Subcycled {
     template <class Composition>
     using Passes = TypeList<typename Composition::template AllButOwnTerms<Fast>,
                             typename Composition::template OwnTerms<Fast>>;
+    /// Is the limit that `Term` of a phase or coupling sets one on the steps of the fast phase?
+    template <class Where, class Term>
+    static constexpr bool in_substeps = std::is_same_v<Where, Fast>;
 
     template <class Engine>
     static void start(Engine& engine) {
         if constexpr (Engine::template State<Fast>::template stores<MeanVelocity>) {
             engine.template run<typename Engine::Composition::template OwnTerms<Fast>>(0);
             auto& fast = engine.template state<Fast>();
-            copy(engine, fast.field(velocity), fast.field(mean_velocity));
+            std::copy_n(fast.field(velocity), Engine::dimension * fast.stride(), fast.field(mean_velocity));
         } else {
             detail::break_rule<rules::SubcycledWithoutMean<Fast, list_the_term_TimeAveragedMotion_in_the_phase>>();
         }
@@ -82,10 +85,9 @@ struct Subcycled {
         engine.template drift_if<IsOther>(dt);
 
         engine.template remember_if<IsFast>();
-        auto& force = engine.template spare_vector<Fast>(); // of the couplings and gravity
-        copy(engine, fast.field(acceleration), force.data());
+        engine.template keep_accelerations_if<IsFast>(); // by couplings and gravity
         for (int k = 0; k < substeps; ++k) {
-            copy(engine, force.data(), fast.field(acceleration));
+            engine.template restore_accelerations_if<IsFast>();
             engine.template run<typename Composition::template OwnTerms<Fast>>(dt / substeps);
             engine.template kick_if<IsFast>(dt / substeps);
             engine.template drift_if<IsFast>(dt / substeps);
@@ -99,13 +101,6 @@ private:
     template <class P>
     struct IsOther : std::bool_constant<!std::is_same_v<P, Fast>> {};
 
-    template <class Engine, class Real>
-    static void copy(Engine& engine, const Real* from, Real* to) {
-        const auto& s = engine.template state<Fast>();
-        for (int d = 0; d < Engine::dimension; ++d)
-            std::copy_n(from + static_cast<std::size_t>(d) * s.stride(), s.size(),
-                        to + static_cast<std::size_t>(d) * s.stride());
-    }
     template <class Engine>
     static void exchange(Engine& engine) {
         auto& s = engine.template state<Fast>();
