@@ -1,6 +1,6 @@
-// Parts of a step, for integrators that do not evaluate all terms at once, or some more often than others: which rows of
-// the schedule belong to them. A pass is what an engine runs: rows, the plan that orders them, the columns they add to,
-// and `gravity`: does the acceleration of all phases start from gravity, or is something in it already?
+// Parts of a step, for integrators that do not evaluate all terms at once, or some more often than others: which rows
+// of the schedule belong to them. A pass is what an engine runs: rows, the plan that orders them, the columns they add
+// to, and `gravity`: does the acceleration of all phases start from gravity, or is something in it already?
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>
@@ -85,8 +85,7 @@ template <class Scene, class P>
 struct OwnTerms {
     using Rows = typename RowsOfPhase<Scene, P>::Own;
     static constexpr Plan plan = Scene::plan_of(Rows{}, typename RowsOfPhase<Scene, P>::Others{});
-    static constexpr Bits added =
-        Scene::added_by(Rows{}) - Scene::template columns<P>(TypeList<Rate<Velocity>>{});
+    static constexpr Bits added = Scene::added_by(Rows{}) - Scene::template columns<P>(TypeList<Rate<Velocity>>{});
     static constexpr bool gravity = false;
 };
 
@@ -105,9 +104,9 @@ template <class Scene, class List>
 class RowsOfTerms {
     template <class Part, class... T>
     static constexpr bool is_part_of_another(TypeList<T...>) {
-        return ((!contains<typename Unwrapped<T>::type, List> &&
-                 contains<Part, PartList<typename Unwrapped<T>::type>>) ||
-                ...);
+        return (
+            (!contains<typename Unwrapped<T>::type, List> && contains<Part, PartList<typename Unwrapped<T>::type>>) ||
+            ...);
     }
     template <class Part, class... Item>
     static constexpr bool is_shared(TypeList<Item...>) {
