@@ -106,8 +106,7 @@ public:
     void restore_accelerations_if() {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             if constexpr (P::moves && Chosen<P>::value)
-                copy_vectors(std::get<Kept<P>>(kept).accelerations.data(), s.field(acceleration), s.stride(),
-                             s.size());
+                copy_vectors(std::get<Kept<P>>(kept).accelerations.data(), s.field(acceleration), s.stride(), s.size());
         });
     }
 

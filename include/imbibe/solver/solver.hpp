@@ -192,9 +192,7 @@ public:
     /// Is a step made of shorter ones of one phase (time/subcycled.hpp) or of some terms (time/dual_stepping.hpp)?
     static constexpr bool subcycles = requires { Integrator::template in_substeps<void, void>; };
     /// The limits on these shorter steps, without the CFL number, shortest first.
-    std::vector<TimeStepLimit> substep_limits() const requires subcycles {
-        return limits_of<OfSubsteps>();
-    }
+    std::vector<TimeStepLimit> substep_limits() const requires subcycles { return limits_of<OfSubsteps>(); }
     /// How many of them the last step was made of.
     int substeps() const requires subcycles { return substeps_; }
     /// The step that would be taken next, and what limits it.

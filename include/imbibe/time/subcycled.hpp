@@ -52,8 +52,8 @@ struct Subcycled {
     using Fast = Fast_;
     /// What is evaluated in a step, for reports; the terms of the fast phase in each of its own steps.
     template <class Composition>
-    using Passes = TypeList<typename Composition::template AllButOwnTerms<Fast>,
-                            typename Composition::template OwnTerms<Fast>>;
+    using Passes =
+        TypeList<typename Composition::template AllButOwnTerms<Fast>, typename Composition::template OwnTerms<Fast>>;
     /// Is the limit that `Term` of a phase or coupling sets one on the steps of the fast phase?
     template <class Where, class Term>
     static constexpr bool in_substeps = std::is_same_v<Where, Fast>;
