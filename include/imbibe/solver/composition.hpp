@@ -2,8 +2,10 @@
 // schedule, the plan, and the rules it must keep.
 #pragma once
 
+#include <imbibe/solver/nodes.hpp>
 #include <imbibe/solver/passes.hpp>
 #include <imbibe/solver/rules.hpp>
+#include <imbibe/solver/schedule.hpp>
 
 namespace imbibe {
 

@@ -85,7 +85,7 @@ struct Costed<Solver<dim_, Real, Integrator, Items...>> {
 
 /// The costs of a scene in one step with a search.
 /// @tparam Scene_ a `Solver`: with the evaluations that its integrator makes in a step (of a fast phase of `Subcycled`,
-/// in one of its own steps); or a composition, `Solver::Scene`: with one of all of its terms, as SymplecticEuler makes
+/// in one of its own steps; of what `DualStepping` evaluates in short steps, in one of them); or a composition, `Solver::Scene`: with one of all of its terms, as SymplecticEuler makes
 template <class Scene_>
 class Costs {
     using Scene = typename detail::Costed<Scene_>::Scene;
