@@ -31,6 +31,7 @@ accuracy::Outcome vortices(const accuracy::Choices& choose) {
 
 using C2 = sph::WendlandC2;
 using Quintic = sph::QuinticSpline;
+using Dual = sph::DualStepping<sph::MorrisViscosity<C2>, sph::ParticleShifting<C2>>;
 const Methods<> methods("method", {{"delta-SPH, shifted", vortices<Shifted<C2>>},
                                    {"without shifting", vortices<Plain<C2>>},
                                    {"Antuono's diffusion", vortices<Antuono<C2>>},
@@ -52,6 +53,7 @@ const Methods<> methods("method", {{"delta-SPH, shifted", vortices<Shifted<C2>>}
                                         return vortices_from({.jitter = 0}, choose, liquid);
                                     }},
                                    {"float", vortices<Shifted<C2>, float>},
+                                   {"dual stepping", vortices<Shifted<C2>, double, Dual>},
                                    {"position Verlet", vortices<Shifted<C2>, double, sph::PositionVerlet>},
                                    {"predictor-corrector", vortices<Shifted<C2>, double, sph::PredictorCorrector>}});
 

@@ -78,18 +78,17 @@ struct Row {
     std::string failure;   ///< why the run broke off, if it did; error is infinite then
 };
 
-/// How many pairs of particles one step of a scene looks at, all sweeps together, times the steps taken so far: the
-/// work of a run if neighbours were as many all the time.
+/// How many pairs of particles a scene has looked at so far, all sweeps of all its steps and substeps together, if
+/// neighbours were as many all the time as they are now. What was done before a restart is not counted.
 template <class Scene>
 double pair_evaluations(const Scene& scene) {
     double pairs = 0;
     const auto& engine = scene.engine();
     engine.for_each_link([&]<class L>(const L& link) {
-        using A = typename L::A;
-        const int sweeps = Scene::Scene::plan.sweeps(Scene::Scene::template phase_index<A>);
-        pairs += engine.mean_neighbours(link) * engine.template state<A>().size() * sweeps;
+        pairs += engine.mean_neighbours(link) * engine.template state<typename L::A>().size() *
+                 static_cast<double>(link.sweeps);
     });
-    return pairs * static_cast<double>(scene.steps());
+    return pairs;
 }
 
 /// Marks the rows of which no other is at least as fast and at least as accurate.

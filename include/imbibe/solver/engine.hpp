@@ -153,6 +153,7 @@ private:
         const bool nothing_near = (source_is_absent<P, S>() && ...);
         if (nothing_near)
             return;
+        (++this->template link<P, typename S::B, S::reference>().sweeps, ...);
         const auto block = [&](int begin, int end) {
             sweep_block<P, Adds, TypeList<N...>, S...>(s, sources, parts, begin, end,
                                                        std::make_index_sequence<sizeof...(S)>{});

@@ -18,6 +18,7 @@ struct IMBIBE_PER_BUILD Link {
     double support = 0; ///< m
     /// Distance of the nearest pair, m, where a term asks for it (TimeStepInput::nearest).
     double nearest = std::numeric_limits<double>::infinity();
+    long long sweeps = 0; ///< how often terms were summed over these neighbours
 };
 
 template <int dim, class List>
@@ -65,6 +66,10 @@ public:
     template <class C>
     const C& coupling() const {
         return std::get<C>(couplings);
+    }
+    template <class A, class B, bool reference>
+    Link<A, B, reference>& link() {
+        return std::get<Link<A, B, reference>>(links);
     }
     template <class A, class B, bool reference>
     const Link<A, B, reference>& link() const {
