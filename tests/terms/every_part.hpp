@@ -69,7 +69,7 @@ using EveryPairPart = TypeList<
     Case<RiemannWallNormal<>, Water, Sponge, false>, Case<RiemannWallPressure<>::Push, Water, Sponge, true>,
     Case<RiemannWallPressure<>::Push, Sponge, Water, true>, Case<RiemannWallContinuity<>, Water, Sponge, false>,
     Case<ClearyViscosity<>, Water, Water, true>, Case<ClearyViscosity<>, Water, Sponge, true>,
-    Case<CurrentCorrection<>::Moments, Water, Water, false>, Case<AntuonoDiffusion<>::Sum, Water, Water, false>,
+    Case<CorrectionNeighbours<>, Water, Water, false>, Case<AntuonoDiffusion<>::Sum, Water, Water, false>,
     Case<AntuonoDiffusion<>::Smooth, Water, Water, false>, Case<WideRepulsion, Water, Sponge, true>,
     Case<SurfaceNormalPressure<>::Push, Water, Sponge, true>, Case<SurfaceNormalPressure<>::Push, Sponge, Water, true>,
     Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>,

@@ -23,30 +23,35 @@ struct CurrentCorrectionParameters {
     }
 };
 
+/// The sum over neighbours of CurrentCorrection: M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab, without unit. A part of
+/// it, and a term of its own for couplings: `Into<Water, CorrectionNeighbours<>>` makes the particles of a wall or a
+/// solid count as neighbours. Without that gradients are corrected as if the wall were a free surface.
+template <class Kernel = WendlandC2>
+struct CorrectionNeighbours {
+    using reads = Fields<mass, density>;
+    using adds = Fields<moment_matrix>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
+        const auto weight = -(b[mass] / b[density] * ab.gradient(Kernel{}));
+        return weight * symmetric_part(outer(ab.offset, ab.offset));
+    }
+};
+
 /// L_a = M_a^-1, without unit, from M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab with where the particles are now.
 /// L_a times the gradient sum_b V_b (f_b - f_a) grad_a W_ab is then exact for a field f that is linear, also at a free
 /// surface and beside a wall that does not count.
 ///
-/// For fluids, in every step, as a part of terms that correct a gradient (AntuonoDiffusion). Where a particle has not
-/// neighbours in all directions (single drops, threads) M cannot be inverted, and L goes over to the identity.
+/// For fluids, in every step, beside terms that correct a gradient: AntuonoDiffusion, CorrectedContinuity,
+/// CorrectedPressure, CorrectedViscosity. Where a particle has not neighbours in all directions (single drops, threads) M
+/// cannot be inverted, and L goes over to the identity. In a coupling, CorrectionNeighbours.
 ///
-/// Not in a pressure force that is to conserve momentum: a corrected gradient is not equal and opposite. For a
-/// total-Lagrangian solid take ReferenceCorrection, which is computed once.
+/// Not for a total-Lagrangian solid: that takes ReferenceCorrection, which is computed once.
 ///
 /// Source: Randles and Libersky (1996); Bonet and Lok (1999).
 template <class Kernel = WendlandC2>
 struct CurrentCorrection {
     using Parameters = CurrentCorrectionParameters;
 
-    struct Moments {
-        using reads = Fields<mass, density>;
-        using adds = Fields<moment_matrix>;
-
-        IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
-            const auto weight = -(b[mass] / b[density] * ab.gradient(Kernel{}));
-            return weight * symmetric_part(outer(ab.offset, ab.offset));
-        }
-    };
     struct Invert {
         using reads = Fields<moment_matrix>;
         using sets = Fields<gradient_correction>;
@@ -56,7 +61,7 @@ struct CurrentCorrection {
             return detail::inverse_or_identity(a[moment_matrix], parameters.full_above, parameters.none_below);
         }
     };
-    using parts = Parts<Moments, Invert>;
+    using parts = Parts<CorrectionNeighbours<Kernel>, Invert>;
 };
 
 /// sum_b V_b (rho_b - rho_a) grad_a W_ab, kg/m^4: the gradient of the density before its correction.
