@@ -42,6 +42,8 @@ struct WaterRiemann : Fluid<LinearState, RiemannContinuity<K>, RiemannPressure<K
 struct WaterSummation : Fluid<LinearState, SummationDensity<K>, VolumePressure<K>> {};
 struct WaterSummationFloor : WaterWith<SummationFloor<K>> {};
 struct WaterTensionless : Fluid<LinearState, VolumeContinuity<K>, VolumePressure<K, Tension::none>> {};
+struct WaterCorrected : Fluid<LinearState, CurrentCorrection<K>, CorrectedContinuity<K>, CorrectedPressure<K>> {};
+struct WaterCorrectedViscosity : WaterWith<CurrentCorrection<K>, CorrectedViscosity<K>> {};
 struct WaterAntuono : WaterWith<CurrentCorrection<K>, AntuonoDiffusion<K>> {};
 struct Rubber : RubberWith<> {};
 struct RubberArtificial : RubberWith<ArtificialStress<K>> {};
@@ -67,11 +69,11 @@ struct SlabNormal : PlateWith<ReferenceSurfaceNormal<K>> {};
 template <class Below, class... Term>
 using Contact = Coupling<Water, Below, Term...>;
 template <class Below, class... More>
-using Extrapolation = Contact<Below, Into<Below, PressureExtrapolation<K>>, VolumePressure<K>,
-                              Into<Water, VolumeContinuity<K>>, More...>;
+using Extrapolation =
+    Contact<Below, Into<Below, PressureExtrapolation<K>>, VolumePressure<K>, Into<Water, VolumeContinuity<K>>, More...>;
 template <class Below>
-using Riemann = Contact<Below, Into<Water, RiemannWallNormal<K>>, RiemannWallPressure<K>,
-                        Into<Water, RiemannWallContinuity<K>>>;
+using Riemann =
+    Contact<Below, Into<Water, RiemannWallNormal<K>>, RiemannWallPressure<K>, Into<Water, RiemannWallContinuity<K>>>;
 struct FloorExtrapolation : Extrapolation<Floor> {};
 struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
 struct FloorRiemann : Riemann<Floor> {};
@@ -173,6 +175,13 @@ Cases all_cases() {
                        "evenly spread particles where flow stretches them");
     add<WaterAntuono>(cases, "`AntuonoDiffusion` with `CurrentCorrection`",
                       "a smooth pressure, where gravity is not all that acts");
+    add<WaterCorrected>(
+        cases,
+        "`CorrectedContinuity` and `CorrectedPressure` with `CurrentCorrection` in place of continuity and pressure",
+        "waves and vortices that keep their energy");
+    add<WaterCorrectedViscosity>(cases,
+                                 "`CorrectedViscosity` with `CurrentCorrection`, whose sums are `CorrectionNeighbours`",
+                                 "real viscosity to the last per mille");
     add<WaterRiemann>(cases, "`RiemannContinuity` and `RiemannPressure` in place of continuity and pressure",
                       "impacts");
     add<WaterSummation>(cases, "`SummationDensity` in place of `VolumeContinuity`",

@@ -35,6 +35,16 @@ void add_limits(Table& table) {
         row("MorrisViscosity", box, [=](const Plan& p) { return shaken_box(p, liquid<Morris>(200), 2.6, moved); });
         row("ClearyViscosity", box, [=](const Plan& p) { return shaken_box(p, liquid<Cleary>(200), 2.6, moved); });
     }
+    for (const double moved : {0.0, disorder}) {
+        row("CorrectedPressure, H = 2.6", moved > 0 ? "disordered shaken drop" : "shaken drop",
+            [=](const Plan& p) { return shaken_drop(p, liquid<Corrected>(), 2.6, moved); });
+        row("CorrectedPressure, H = 2.6", moved > 0 ? "disordered shaken drop in 3D" : "shaken drop in 3D",
+            [=](const Plan& p) { return shaken_drop<Corrected, 3>(p, liquid<Corrected>(), 2.6, moved); });
+        row("CorrectedViscosity, H = 2.6", moved > 0 ? "disordered shaken drop" : "shaken drop",
+            [=](const Plan& p) { return shaken_drop(p, liquid<CorrectedMorris>(200), 2.6, moved); });
+    }
+    row("CorrectedPressure, H = 2.6", "disordered shaken box",
+        [=](const Plan& p) { return shaken_box(p, liquid<Corrected>(), 2.6, disorder); });
     row("NoSlipViscosity", "shaken box between plates",
         [](const Plan& p) { return shaken_channel<Morris, NoSlipPlates>(p, liquid<Morris>(200), 2.6); });
     row("LaminarViscosity, H = 1.25", "shaken box",

@@ -6,6 +6,7 @@
 
 #include <imbibe/coupling/modified_repulsion.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
+#include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/wall/no_slip.hpp>
 
@@ -41,6 +42,17 @@ Outcome shaken_box(const Plan& plan, Phase material, double support, double diso
     return march_shaken<dim>(scene, phase, 1e-4 * material.sound_speed, plan);
 }
 
+/// A square (cube) of a fluid with a free surface all around, shaken in the same way.
+template <class Phase, int dim = 2>
+Outcome shaken_drop(const Plan& plan, Phase material, double support, double disorder = 0) {
+    constexpr double length = (dim == 2 ? 16 : 8) * dx;
+    sph::Solver<dim, double, sph::SymplecticEuler, Phase> scene({.support_radius = support * dx, .threads = 1});
+    const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(length);
+    const auto lattice = sph::fill(sph::Box<dim>{lower, upper}, dx);
+    const auto drop = scene.add(material, sph::jitter<dim>(lattice, disorder * dx, 1), dx);
+    return march_shaken<dim>(scene, drop, 1e-4 * material.sound_speed, plan);
+}
+
 struct Plates : sph::Wall<> {};
 /// The same between two plates, periodic along them.
 template <class Phase, class Contact, class... Parameters>
@@ -66,6 +78,11 @@ struct Laminar : Liquid<sph::LaminarViscosity<sph::ViscosityKernel2D>> {};
 struct Monaghan : Liquid<sph::MonaghanViscosity<C2>> {};
 struct Floored : Liquid<sph::DensityFloor> {};
 struct Waves : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::RiemannPressure<C2>> {};
+struct Corrected
+    : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::CorrectedContinuity<C2>, sph::CorrectedPressure<C2>> {
+};
+struct CorrectedMorris : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::VolumeContinuity<C2>,
+                                    sph::VolumePressure<C2>, sph::CorrectedViscosity<C2>> {};
 struct NoSlipPlates
     : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {};
 struct RiemannPlates : sph::Coupling<Sound, Plates, sph::Into<Sound, sph::RiemannWallNormal<C2>>,

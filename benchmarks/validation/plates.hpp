@@ -13,6 +13,8 @@
 
 #include "sticky_walls.hpp"
 
+#include <imbibe/wall/corrected_no_slip.hpp>
+
 #include <Eigen/Cholesky>
 
 #include <array>
@@ -26,6 +28,17 @@ template <class K, class Liquid = Oil<K>>
 struct OnPlates : sph::Coupling<Liquid, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>,
                                 sph::VolumePressure<K>, sph::Into<Liquid, sph::VolumeContinuity<K>>,
                                 sph::Into<Plates, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
+
+/// With corrected kernel gradients.
+template <class K>
+struct CorrectedOil : sph::Fluid<sph::LinearState, sph::CurrentCorrection<K>, sph::CorrectedContinuity<K>,
+                                 sph::CorrectedPressure<K>, sph::CorrectedViscosity<K>> {};
+template <class K>
+struct OnPlates<K, CorrectedOil<K>>
+    : sph::Coupling<CorrectedOil<K>, Plates, sph::Into<CorrectedOil<K>, sph::CorrectionNeighbours<K>>,
+                    sph::Into<Plates, sph::PressureExtrapolation<K>>, sph::CorrectedPressure<K>,
+                    sph::Into<CorrectedOil<K>, sph::CorrectedContinuity<K>>, sph::Into<Plates, sph::NoSlipVelocity<K>>,
+                    sph::CorrectedNoSlipViscosity<K>> {};
 
 constexpr double gap = 1e-3, nu = 1e-6;
 constexpr std::array<double, 5> times{0.0225, 0.045, 0.1125, 0.225, 1};

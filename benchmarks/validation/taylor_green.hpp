@@ -13,7 +13,7 @@
 #include "free_surface.hpp"
 
 #include <imbibe/accuracy/study.hpp>
-#include <imbibe/fluid/gradient_correction.hpp>
+#include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/fluid/riemann.hpp>
 #include <imbibe/geometry/jitter.hpp>
@@ -36,6 +36,11 @@ struct Antuono
 template <class K>
 struct Riemann : sph::Fluid<sph::LinearState, sph::RiemannContinuity<K>, sph::RiemannPressure<K>,
                             sph::ClearyViscosity<K>, sph::ParticleShifting<K>> {};
+/// With corrected kernel gradients.
+template <class K>
+struct Corrected : sph::Fluid<sph::LinearState, sph::CurrentCorrection<K>, sph::CorrectedContinuity<K>,
+                              sph::DensityDiffusion<K>, sph::CorrectedPressure<K>, sph::CorrectedViscosity<K>,
+                              sph::ParticleShifting<K>> {};
 
 /// How particles are shifted that start from a perfect lattice: no particle has more neighbours on one side than on the
 /// other, until rows that were drawn out at the stagnation points collapse, all at once. To be there before, shifting

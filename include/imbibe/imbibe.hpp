@@ -22,6 +22,7 @@
 #include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/density_floor.hpp>
 #include <imbibe/fluid/gradient_correction.hpp>
@@ -68,6 +69,7 @@
 #include <imbibe/time/subcycled.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/version.hpp>
+#include <imbibe/wall/corrected_no_slip.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 #include <imbibe/wall/riemann_wall.hpp>

@@ -8,6 +8,7 @@
 #include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/gradient_correction.hpp>
 #include <imbibe/fluid/laminar_viscosity.hpp>
@@ -25,6 +26,7 @@
 #include <imbibe/solid/velocity_gradient.hpp>
 #include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
+#include <imbibe/wall/corrected_no_slip.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 #include <imbibe/wall/riemann_wall.hpp>
@@ -73,7 +75,9 @@ using EveryPairPart = TypeList<
     Case<AntuonoDiffusion<>::Smooth, Water, Water, false>, Case<WideRepulsion, Water, Sponge, true>,
     Case<SurfaceNormalPressure<>::Push, Water, Sponge, true>, Case<SurfaceNormalPressure<>::Push, Sponge, Water, true>,
     Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>,
-    Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>>;
+    Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>, Case<CorrectedContinuity<>::Sweep, Water, Water, false>,
+    Case<CorrectedPressure<>::Push, Water, Water, true>, Case<CorrectedViscosity<>, Water, Water, true>,
+    Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>>;
 
 /// Those that are no force and not zero for the particle itself, or have two results.
 using OtherPairParts =
@@ -110,6 +114,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(wall_direction, dice.vector<dim>(1e3)).set(density_gradient, dice.vector<dim>(1e4));
     p.set(pressure_over_impedance, p[pressure] / detail::impedance(p.material)).set(surface_indicator, dice(0, 1));
     p.set(surface_normal, dice.vector<dim>(0.5));
+    p.set(gradient_correction, symmetric_part(t));
     p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
     return p;
 }

@@ -206,8 +206,8 @@ struct TimeStepInput {
     /// The distance of the two phases' nearest particles where the last step began, m: for terms of a coupling that ask
     /// for it by `static constexpr bool limit_by_nearest = true`. Infinite for others, and where none is in reach.
     double nearest = std::numeric_limits<double>::infinity();
-    /// The greatest value of a scalar field in the phase, for terms of a phase that ask for one by
-    /// `using limit_by_greatest = Field`.
+    /// The greatest component of a field in the phase, for terms of a phase that ask for one by
+    /// `using limit_by_greatest = Field`; 0 before the first step if it is not computed once.
     double greatest = 0;
 };
 
