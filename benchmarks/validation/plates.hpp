@@ -53,16 +53,17 @@ constexpr Drive poiseuille{1e-4, 0, {2.23274e-6, 4.23457e-6, 8.24991e-6, 11.0998
 constexpr Drive couette{0, 1.25e-5, {0.230277e-6, 1.19475e-6, 3.62844e-6, 5.38629e-6, 6.24959e-6}};
 
 /// The velocities in the middle at `times`, m/s. @param support H in spacings
-template <class K>
+/// @tparam Liquid Oil or CorrectedOil
+template <class K, class Liquid = Oil<K>>
 std::array<double, 5> middle_velocities(const Drive& drive, int across, double support) {
     const double spacing = gap / across, length = 8 * spacing;
-    sph::Solver<2, double, sph::SymplecticEuler, Oil<K>, Plates, OnPlates<K>> scene(
+    sph::Solver<2, double, sph::SymplecticEuler, Liquid, Plates, OnPlates<K, Liquid>> scene(
         {.gravity = {drive.force, 0},
          .support_radius = support * spacing,
          .periodic_length = {length, 0},
          .threads = 1});
     const sph::Box<2> between{{0, 0}, {length, gap}};
-    const auto oil = scene.add(Oil<K>{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1000 * nu}},
+    const auto oil = scene.add(Liquid{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1000 * nu}},
                                sph::fill(between, spacing), spacing);
     const auto plates =
         scene.add(Plates{{.density = 1000}},

@@ -68,8 +68,9 @@ TEST_CASE("Water at rest bears its weight and comes to rest", "[fluid]") {
 // ---- flow between plates ----
 
 /// Relative errors of the velocity at the centre at `plates::times`, with this many particles across.
-inline std::array<double, 5> poiseuille(int across) {
-    auto errors = plates::middle_velocities<K>(plates::poiseuille, across, support);
+template <class Liquid = plates::Oil<K>>
+std::array<double, 5> poiseuille(int across, double support_in_spacings = support) {
+    auto errors = plates::middle_velocities<K, Liquid>(plates::poiseuille, across, support_in_spacings);
     for (std::size_t k = 0; k < errors.size(); ++k)
         errors[k] = errors[k] / plates::poiseuille.middle[k] - 1;
     return errors;
@@ -88,6 +89,18 @@ TEST_CASE("Flow between plates starts up as the series says", "[fluid]") {
     CAPTURE(coarse[4], middle[4], fine[4], order, limit);
     CHECK(order > 1.5);
     CHECK(std::abs(limit - lattice_error) < 0.001); // chosen after seeing the errors
+}
+
+TEST_CASE("With corrected gradients a flow between plates converges, with few neighbours too", "[fluid]") {
+    using Liquid = plates::CorrectedOil<K>;
+    const auto coarse = poiseuille<Liquid>(10, 2), middle = poiseuille<Liquid>(20, 2), fine = poiseuille<Liquid>(40, 2);
+    for (std::size_t k = 0; k < plates::times.size(); ++k) {
+        CAPTURE(plates::times[k], coarse[k], middle[k], fine[k]);
+        CHECK(std::abs(fine[k]) < 0.002);
+        CHECK(std::log2(coarse[k] / middle[k]) > 1.5);
+        CHECK(std::log2(middle[k] / fine[k]) > 1.5);
+    }
+    CHECK(std::abs(poiseuille(40, 2)[4]) > 0.01); // without: the error of the lattice sum
 }
 
 TEST_CASE("Flow under a moving plate starts up as the series says", "[fluid]") {
