@@ -37,14 +37,14 @@ void add_limits(Table& table) {
     }
     for (const double moved : {0.0, disorder}) {
         row("CorrectedPressure, H = 2.6", moved > 0 ? "disordered shaken drop" : "shaken drop",
-            [=](const Plan& p) { return shaken_drop(p, liquid<Corrected>(), 2.6, moved); });
+            [=](const Plan& p) { return shaken_drop(p, liquid<CorrectedLiquid>(), 2.6, moved); });
         row("CorrectedPressure, H = 2.6", moved > 0 ? "disordered shaken drop in 3D" : "shaken drop in 3D",
-            [=](const Plan& p) { return shaken_drop<Corrected, 3>(p, liquid<Corrected>(), 2.6, moved); });
+            [=](const Plan& p) { return shaken_drop<CorrectedLiquid, 3>(p, liquid<CorrectedLiquid>(), 2.6, moved); });
         row("CorrectedViscosity, H = 2.6", moved > 0 ? "disordered shaken drop" : "shaken drop",
-            [=](const Plan& p) { return shaken_drop(p, liquid<CorrectedMorris>(200), 2.6, moved); });
+            [=](const Plan& p) { return shaken_drop(p, liquid<CorrectedSyrup>(200), 2.6, moved); });
     }
     row("CorrectedPressure, H = 2.6", "disordered shaken box",
-        [=](const Plan& p) { return shaken_box(p, liquid<Corrected>(), 2.6, disorder); });
+        [=](const Plan& p) { return shaken_box(p, liquid<CorrectedLiquid>(), 2.6, disorder); });
     row("NoSlipViscosity", "shaken box between plates",
         [](const Plan& p) { return shaken_channel<Morris, NoSlipPlates>(p, liquid<Morris>(200), 2.6); });
     row("LaminarViscosity, H = 1.25", "shaken box",
@@ -111,9 +111,10 @@ void add_limits(Table& table) {
     row("ReferenceCorrection", "row of particles, rough by 0.4 spacings",
         [](const Plan& p) { return shaken_sheet<2>(p, 0.4); });
     for (const double rough : {0.2, 0.3, 0.45})
-        row("ReferenceCorrection", rough == 0.2   ? "sheet of particles, rough by 0.2 spacings"
-                                   : rough == 0.3 ? "sheet of particles, rough by 0.3 spacings"
-                                                  : "sheet of particles, rough by 0.45 spacings",
+        row("ReferenceCorrection",
+            rough == 0.2   ? "sheet of particles, rough by 0.2 spacings"
+            : rough == 0.3 ? "sheet of particles, rough by 0.3 spacings"
+                           : "sheet of particles, rough by 0.45 spacings",
             [=](const Plan& p) { return shaken_sheet<3>(p, rough); });
     row("paper's hypoelastic, nu 0.3", "shaken block",
         [](const Plan& p) { return shaken_block<2, Hypoelastic::Body>(p, 0.3, 2); });

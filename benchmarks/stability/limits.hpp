@@ -78,11 +78,10 @@ struct Laminar : Liquid<sph::LaminarViscosity<sph::ViscosityKernel2D>> {};
 struct Monaghan : Liquid<sph::MonaghanViscosity<C2>> {};
 struct Floored : Liquid<sph::DensityFloor> {};
 struct Waves : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::RiemannPressure<C2>> {};
-struct Corrected
-    : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::CorrectedContinuity<C2>, sph::CorrectedPressure<C2>> {
-};
-struct CorrectedMorris : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::VolumeContinuity<C2>,
-                                    sph::VolumePressure<C2>, sph::CorrectedViscosity<C2>> {};
+struct CorrectedLiquid : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::CorrectedContinuity<C2>,
+                                    sph::CorrectedPressure<C2>> {};
+struct CorrectedSyrup : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::VolumeContinuity<C2>,
+                                   sph::VolumePressure<C2>, sph::CorrectedViscosity<C2>> {};
 struct NoSlipPlates
     : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {};
 struct RiemannPlates : sph::Coupling<Sound, Plates, sph::Into<Sound, sph::RiemannWallNormal<C2>>,
