@@ -25,8 +25,7 @@ double plate_flow(double y, double t) {
 }
 
 /// The error of the velocity at t = 0.1125 s, root mean square, as a share of the exact one's.
-template <class K, class Real = double, class Integrator = sph::SymplecticEuler,
-          class Oil = validation::plates::Oil<K>>
+template <class K, class Real = double, class Integrator = sph::SymplecticEuler, class Oil = validation::plates::Oil<K>>
 accuracy::Outcome plates(const accuracy::Choices& choose) {
     constexpr double end = 0.1125;
     const double spacing = gap / choose.number("across"), length = 8 * spacing, H = choose.number("support") * spacing;
@@ -53,17 +52,16 @@ accuracy::Outcome plates(const accuracy::Choices& choose) {
 }
 
 using C2 = sph::WendlandC2;
-const Methods<> methods("method",
-                        {{"Wendland C2", plates<C2>},
-                         {"Wendland C4", plates<sph::WendlandC4>},
-                         {"quintic spline", plates<sph::QuinticSpline>},
-                         {"corrected gradients",
-                          plates<C2, double, sph::SymplecticEuler, validation::plates::CorrectedOil<C2>>},
-                         {"Cleary's viscosity",
-                          plates<C2, double, sph::SymplecticEuler,
-                                 validation::plates::Oil<C2, sph::ClearyViscosity<C2>>>},
-                         {"float", plates<C2, float>},
-                         {"predictor-corrector", plates<C2, double, sph::PredictorCorrector>}});
+const Methods<>
+    methods("method",
+            {{"Wendland C2", plates<C2>},
+             {"Wendland C4", plates<sph::WendlandC4>},
+             {"quintic spline", plates<sph::QuinticSpline>},
+             {"corrected gradients", plates<C2, double, sph::SymplecticEuler, validation::plates::CorrectedOil<C2>>},
+             {"Cleary's viscosity",
+              plates<C2, double, sph::SymplecticEuler, validation::plates::Oil<C2, sph::ClearyViscosity<C2>>>},
+             {"float", plates<C2, float>},
+             {"predictor-corrector", plates<C2, double, sph::PredictorCorrector>}});
 
 } // namespace
 

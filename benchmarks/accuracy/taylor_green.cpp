@@ -43,33 +43,31 @@ accuracy::Outcome corrected_at_its_best(const accuracy::Choices& choose) {
     return vortices_from<Corrected<C2>, double, Integrator>({.raised = 0.5}, choose, {}, 2.6 / 3);
 }
 
-const Methods<> methods("method", {{"delta-SPH, shifted", vortices<Shifted<C2>>},
-                                   {"without shifting", vortices<Plain<C2>>},
-                                   {"Antuono's diffusion", vortices<Antuono<C2>>},
-                                   {"Riemann", vortices<Riemann<C2>>},
-                                   {"Wendland C4", vortices<Shifted<sph::WendlandC4>>},
-                                   {"quintic spline", vortices<Shifted<Quintic>>},
-                                   {"quintic spline, pressure raised",
-                                    [](const accuracy::Choices& choose) {
-                                        return vortices_from<Shifted<Quintic>>({.raised = 0.5}, choose);
-                                    }},
-                                   {"corrected gradients", vortices<Corrected<C2>>},
-                                   {"corrected gradients, pressure raised, 2.6 for 3 spacings", corrected_at_its_best<>},
-                                   {"the same, dual stepping", corrected_at_its_best<DualCorrected>},
-                                   {"from a lattice",
-                                    [](const accuracy::Choices& choose) {
-                                        return vortices_from<Shifted<C2>>({.jitter = 0}, choose);
-                                    }},
-                                   {"from a lattice, all shifted, twice as strongly",
-                                    [](const accuracy::Choices& choose) {
-                                        Shifted<C2> liquid;
-                                        liquid.set(square::strong_shifting);
-                                        return vortices_from({.jitter = 0}, choose, liquid);
-                                    }},
-                                   {"float", vortices<Shifted<C2>, float>},
-                                   {"dual stepping", vortices<Shifted<C2>, double, Dual>},
-                                   {"position Verlet", vortices<Shifted<C2>, double, sph::PositionVerlet>},
-                                   {"predictor-corrector", vortices<Shifted<C2>, double, sph::PredictorCorrector>}});
+const Methods<>
+    methods("method",
+            {{"delta-SPH, shifted", vortices<Shifted<C2>>},
+             {"without shifting", vortices<Plain<C2>>},
+             {"Antuono's diffusion", vortices<Antuono<C2>>},
+             {"Riemann", vortices<Riemann<C2>>},
+             {"Wendland C4", vortices<Shifted<sph::WendlandC4>>},
+             {"quintic spline", vortices<Shifted<Quintic>>},
+             {"quintic spline, pressure raised",
+              [](const accuracy::Choices& choose) { return vortices_from<Shifted<Quintic>>({.raised = 0.5}, choose); }},
+             {"corrected gradients", vortices<Corrected<C2>>},
+             {"corrected gradients, pressure raised, 2.6 for 3 spacings", corrected_at_its_best<>},
+             {"the same, dual stepping", corrected_at_its_best<DualCorrected>},
+             {"from a lattice",
+              [](const accuracy::Choices& choose) { return vortices_from<Shifted<C2>>({.jitter = 0}, choose); }},
+             {"from a lattice, all shifted, twice as strongly",
+              [](const accuracy::Choices& choose) {
+                  Shifted<C2> liquid;
+                  liquid.set(square::strong_shifting);
+                  return vortices_from({.jitter = 0}, choose, liquid);
+              }},
+             {"float", vortices<Shifted<C2>, float>},
+             {"dual stepping", vortices<Shifted<C2>, double, Dual>},
+             {"position Verlet", vortices<Shifted<C2>, double, sph::PositionVerlet>},
+             {"predictor-corrector", vortices<Shifted<C2>, double, sph::PredictorCorrector>}});
 
 } // namespace
 

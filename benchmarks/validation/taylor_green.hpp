@@ -38,9 +38,9 @@ struct Riemann : sph::Fluid<sph::LinearState, sph::RiemannContinuity<K>, sph::Ri
                             sph::ClearyViscosity<K>, sph::ParticleShifting<K>> {};
 /// With corrected kernel gradients.
 template <class K>
-struct Corrected : sph::Fluid<sph::LinearState, sph::CurrentCorrection<K>, sph::CorrectedContinuity<K>,
-                              sph::DensityDiffusion<K>, sph::CorrectedPressure<K>, sph::CorrectedViscosity<K>,
-                              sph::ParticleShifting<K>> {};
+struct Corrected
+    : sph::Fluid<sph::LinearState, sph::CurrentCorrection<K>, sph::CorrectedContinuity<K>, sph::DensityDiffusion<K>,
+                 sph::CorrectedPressure<K>, sph::CorrectedViscosity<K>, sph::ParticleShifting<K>> {};
 
 /// How particles are shifted that start from a perfect lattice: no particle has more neighbours on one side than on the
 /// other, until rows that were drawn out at the stagnation points collapse, all at once. To be there before, shifting

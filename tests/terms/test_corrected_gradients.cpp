@@ -73,8 +73,8 @@ void check_pressure() {
         size += f.norm();
         arm += x.norm() * f.norm();
         work += f.dot(plain(a[velocity]));
-        compression += plain(a[pressure] * a[volume] / a[density]) *
-                       plain(sum(CorrectedContinuity<K>::Sweep{}, a, fluid));
+        compression +=
+            plain(a[pressure] * a[volume] / a[density]) * plain(sum(CorrectedContinuity<K>::Sweep{}, a, fluid));
     }
     CHECK(force.norm() < 1e-13 * size);
     CHECK(std::abs(torque) < 1e-13 * arm);
@@ -85,12 +85,10 @@ void check_pressure() {
     const Column<dim> x = plain(a[position]) - plain(b[position]);
     const double r = x.norm(), q = r / 3e-3;
     const double slope = -20 * (dim == 2 ? 7 / pi : 21 / (2 * pi)) / std::pow(3e-3, dim + 1) * q * std::pow(1 - q, 3);
-    const Matrix<dim> stress = plain(a[pressure]) * plain(a[gradient_correction]) +
-                               plain(b[pressure]) * plain(b[gradient_correction]);
-    const Column<dim> expected =
-        -plain(a[volume]) * plain(b[volume]) / plain(a[mass]) * (stress * (slope / r * x));
-    const Column<dim> found =
-        plain(CorrectedPressure<K>::Push{}(a, b, geometry<CorrectedPressure<K>, dim>(a, b)));
+    const Matrix<dim> stress =
+        plain(a[pressure]) * plain(a[gradient_correction]) + plain(b[pressure]) * plain(b[gradient_correction]);
+    const Column<dim> expected = -plain(a[volume]) * plain(b[volume]) / plain(a[mass]) * (stress * (slope / r * x));
+    const Column<dim> found = plain(CorrectedPressure<K>::Push{}(a, b, geometry<CorrectedPressure<K>, dim>(a, b)));
     CHECK((found - expected).norm() < 1e-10 * expected.norm());
 }
 
@@ -124,7 +122,8 @@ TEST_CASE("CorrectedViscosity has no error of its lattice sum") {
 }
 TEST_CASE("the limits of corrected gradients are those without, where gradients are corrected by little") {
     TimeStepInput in{.support_radius = 3e-3, .spacing = 1e-3, .max_speed = 1, .max_acceleration = 0, .dimension = 2};
-    const double sound = acoustic_time_step(water_here(), in), viscous = MorrisViscosity<K>::time_step_limit(water_here(), in);
+    const double sound = acoustic_time_step(water_here(), in),
+                 viscous = MorrisViscosity<K>::time_step_limit(water_here(), in);
     for (const double greatest : {0.0, 1.0}) {
         in.greatest = greatest;
         CHECK(CorrectedPressure<K>::time_step_limit(water_here(), in) == sound);

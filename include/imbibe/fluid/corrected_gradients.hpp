@@ -1,5 +1,5 @@
-// The terms of a fluid whose kernel gradients are corrected: continuity, pressure and viscosity that stay accurate where
-// particles lie in disorder, have few neighbours, or are at a free surface.
+// The terms of a fluid whose kernel gradients are corrected: continuity, pressure and viscosity that stay accurate
+// where particles lie in disorder, have few neighbours, or are at a free surface.
 #pragma once
 
 #include <imbibe/fluid/gradient_correction.hpp>
@@ -28,7 +28,9 @@ inline constexpr bool any_corrects<TypeList<Term...>> = (is_current_correction<T
 template <class Particle>
 inline constexpr bool corrects_gradients = false;
 template <class Particle>
-    requires requires { typename Particle::Material::terms; }
+requires requires {
+    typename Particle::Material::terms;
+}
 inline constexpr bool corrects_gradients<Particle> = any_corrects<typename Particle::Material::terms>;
 
 // L of a particle as it counts in a pair: its own or, where its phase has none (a wall, a solid), that of the other.
@@ -55,9 +57,10 @@ IMBIBE_INLINE constexpr auto corrected_viscous_rate(const auto& a, const auto& b
 /// CurrentCorrection, which must stand beside it: exact for velocities that are linear in space, wherever the particles
 /// are.
 ///
-/// In the fluid, and `Into` it in its couplings, together with CorrectedPressure.
+/// In the fluid, and `Into` it in its couplings, together with CorrectedPressure. Only the fluid has to have L.
 ///
-/// Not across phases that both correct, nor where the density is to stay a sum of masses; see VolumeContinuity.
+/// Not where the density must stay the sum of the masses around a particle: over a long run in a closed box it drifts
+/// from it, by per mille or, with a pressure added to all of the water, by much (docs/validation.md, cavity).
 ///
 /// Source: Randles and Libersky (1996); Bonet and Lok (1999).
 template <class Kernel = WendlandC2>
@@ -79,21 +82,21 @@ struct CorrectedContinuity {
 /// CurrentCorrection, which must stand beside it.
 ///
 /// The force that does as much work as CorrectedContinuity counts compression (virtual work), so energy is lost to no
-/// one. Forces of a pair are equal and opposite, to the last bit where the masses are equal; they are not along the line
-/// of centres, and angular momentum is conserved nevertheless, where L is the full inverse.
+/// one. Forces of a pair are equal and opposite, to the last bit where the masses are equal; they are not along the
+/// line of centres, and angular momentum is conserved nevertheless, where L is the full inverse.
 ///
-/// For what swings or turns for long: the energy of a standing wave at Re = 2500 decays 1.5 % too slowly where with
-/// VolumePressure it decays 39 % too fast (docs/validation.md). In a coupling a wall or a solid shows the fluid's L, and
-/// its pressure is that of PressureExtrapolation:
-/// `Coupling<Water, Wall, Into<Water, CorrectionNeighbours<>>, Into<Water, CorrectedContinuity<>>, Into<Wall,
-/// PressureExtrapolation<>>, CorrectedPressure<>>`.
+/// For waves and vortices that are to keep their energy (docs/validation.md, standing-wave; docs/accuracy.md). In a
+/// coupling a wall or a solid shows the fluid's L, and its pressure is that of PressureExtrapolation: `Coupling<Water,
+/// Wall, Into<Water, CorrectionNeighbours<>>, Into<Water, CorrectedContinuity<>>, Into<Wall, PressureExtrapolation<>>,
+/// CorrectedPressure<>>`.
 ///
-/// Not without something that keeps particles in order, as VolumePressure's errors do: ParticleShifting, or a pressure
-/// that is positive everywhere and 2.6 spacings of support or more. Not for splashes: VolumePressure costs less, and
-/// where a particle has few neighbours the correction is of little worth.
+/// Not without something that keeps particles in order, as VolumePressure's own errors do: ParticleShifting where the
+/// flow stretches them, and where pressures fall below zero 3 spacings of support. Not for splashes: a film that runs
+/// out over a wall sinks into it, because what is lost in height and won in length cancels out, however few particles
+/// carry the film; with VolumePressure and VolumeContinuity in the coupling it does so later. A Guard sees it.
 ///
-/// Source: Bonet and Lok (1999), the variational form of their Section 4. With p_a L_b + p_b L_a in its place (Zhang, Zhu
-/// and Hu 2024) energy and angular momentum are not conserved; vortices came out alike.
+/// Source: Bonet and Lok (1999), the form that follows from virtual work. With p_a L_b + p_b L_a in its place (Zhang,
+/// Zhu and Hu 2024) energy and angular momentum are not conserved.
 template <class Kernel = WendlandC2>
 struct CorrectedPressure {
     using effect = effects::pressure_force;
@@ -112,10 +115,10 @@ struct CorrectedPressure {
 
     static constexpr const char* limit_name = "corrected gradients";
     using limit_by_greatest = GradientCorrection;
-    /// That of sound, acoustic_time_step, over the cube root of 1 + 1.4 (D - 1), s, with the greatest component D of any
-    /// L, at least 1: 2 to 5 at a free surface, to 12 in spray. Fitted to the greatest singular values of the corrected
-    /// gradient of squares, cubes and spray with free surfaces, with supports of 1.5 to 4 spacings and disorder of up to
-    /// 0.3: the longest step that holds is 1 to 1.8 times this.
+    /// That of sound, acoustic_time_step, over the cube root of 1 + 1.4 (D - 1), s, with the greatest component D of
+    /// any L, at least 1: 2 to 5 at a free surface, to 12 in spray. Fitted to the greatest singular values of the
+    /// corrected gradient of squares, cubes and spray with free surfaces, with supports of 1.5 to 4 spacings and
+    /// disorder of up to 0.3: the longest step that holds is 1 to 1.8 times this.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return acoustic_time_step(material, in) / std::cbrt(1 + 1.4 * (std::max(in.greatest, 1.0) - 1));
     }
@@ -127,11 +130,11 @@ struct CorrectedPressure {
 /// MorrisViscosity without the error of its lattice sum: on a lattice of any kernel and support it is exact for
 /// velocities that are quadratic in space. At walls it sees the wall's velocity; for no-slip CorrectedNoSlipViscosity.
 ///
-/// Not at a free surface, where it counts the missing neighbours as if they moved along: ClearyViscosity knows what that
-/// is. Not where angular momentum must be conserved exactly.
+/// Not at a free surface, where it counts the missing neighbours as if they moved along: ClearyViscosity knows what
+/// that is. Not where angular momentum must be conserved exactly.
 ///
-/// Source: Morris, Fox and Zhu (1997), Eq. (22), with the correction of Bonet and Lok (1999); own combination, as is
-/// usual for the gradients.
+/// Source: Morris, Fox and Zhu (1997), Eq. (22), with the correction of Bonet and Lok (1999); that the second moments
+/// are those of the gradients' correction is own.
 template <class Kernel = WendlandC2>
 struct CorrectedViscosity {
     using reads = Fields<mass, density, velocity, gradient_correction>;

@@ -42,8 +42,8 @@ struct CorrectionNeighbours {
 /// surface and beside a wall that does not count.
 ///
 /// For fluids, in every step, beside terms that correct a gradient: AntuonoDiffusion, CorrectedContinuity,
-/// CorrectedPressure, CorrectedViscosity. Where a particle has not neighbours in all directions (single drops, threads) M
-/// cannot be inverted, and L goes over to the identity. In a coupling, CorrectionNeighbours.
+/// CorrectedPressure, CorrectedViscosity. Where a particle has not neighbours in all directions (single drops, threads)
+/// M cannot be inverted, and L goes over to the identity. In a coupling, CorrectionNeighbours.
 ///
 /// Not for a total-Lagrangian solid: that takes ReferenceCorrection, which is computed once.
 ///

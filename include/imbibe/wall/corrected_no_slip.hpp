@@ -10,8 +10,8 @@ namespace imbibe {
 /// NoSlipVelocity: dv_a/dt = sum_b m_b (eta_a + eta_b)/(rho_a rho_b) (x_ab . L grad_a W_ab)/|x_ab|^2 (u_a - u_b), in
 /// m/s^2, with u = v in the fluid, u = v_shown in the wall, and L of the fluid's particle.
 ///
-/// Together with `Into<Wall, NoSlipVelocity<>>` and `Into<Water, CorrectionNeighbours<>>`. The force on a solid is equal
-/// and opposite.
+/// Together with `Into<Wall, NoSlipVelocity<>>` and `Into<Water, CorrectionNeighbours<>>`. The force on a solid is
+/// equal and opposite.
 ///
 /// Not inside a fluid, and not between two fluids: that is CorrectedViscosity.
 ///
