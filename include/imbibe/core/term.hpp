@@ -9,12 +9,13 @@
 // `static constexpr bool once = true;` (evaluated when the particles are added, not in every step), and, of a particle
 // function, `static constexpr bool in_packs = true;`: like a pair function it asks nothing of its numbers by `if`, so
 // it is called for as many particles at once as the machine computes.
-// Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part), `using effect`
-// (what only one term of a phase may be, see below), `static constexpr bool of_solids = true;` (it asks for the elastic
-// moduli of `Solid`),
-// `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`. A force that is
-// stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on accelerations,
-// sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
+// Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part), `using
+// effect` (what only one term of a phase may be, see below), `using beside_in_couplings` (a term that every coupling
+// must have into the phase, if it has one of that effect), `static constexpr bool of_solids = true;` (it asks for the
+// elastic moduli of `Solid`), `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char*
+// limit_name`. A force that is stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own
+// limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it
+// is.
 #pragma once
 
 #include <imbibe/core/field.hpp>

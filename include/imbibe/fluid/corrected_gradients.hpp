@@ -57,7 +57,8 @@ IMBIBE_INLINE constexpr auto corrected_viscous_rate(const auto& a, const auto& b
 /// CurrentCorrection, which must stand beside it: exact for velocities that are linear in space, wherever the particles
 /// are.
 ///
-/// In the fluid, and `Into` it in its couplings, together with CorrectedPressure. Only the fluid has to have L.
+/// In the fluid, together with CorrectedPressure. In its couplings CorrectionNeighbours `Into` the fluid, which is
+/// checked, and `Into` it this term or VolumeContinuity, which keeps a film off the wall for longer.
 ///
 /// Not where the density must stay the sum of the masses around a particle: over a long run in a closed box it drifts
 /// from it, by per mille or, with a pressure added to all of the water, by much (docs/validation.md, cavity).
@@ -66,6 +67,8 @@ IMBIBE_INLINE constexpr auto corrected_viscous_rate(const auto& a, const auto& b
 template <class Kernel = WendlandC2>
 struct CorrectedContinuity {
     using effect = effects::continuity_equation;
+    /// A wall that counts in the one sum and not in the other would throw water off.
+    using beside_in_couplings = CorrectionNeighbours<Kernel>;
     struct Sweep {
         using reads = Fields<density, volume, velocity, gradient_correction>;
         using adds = Fields<density_rate>;

@@ -1,7 +1,8 @@
 // The composition of a scene, worked out at compile time: its nodes, the fields of each phase, the rows of the
-// schedule, the plan, and the rules it must keep.
+// schedule, the plan, and the rules that they must keep.
 #pragma once
 
+#include <imbibe/solver/list_rules.hpp>
 #include <imbibe/solver/nodes.hpp>
 #include <imbibe/solver/passes.hpp>
 #include <imbibe/solver/rules.hpp>
@@ -24,106 +25,21 @@ struct Composition {
     using Phases = detail::Unique<
         detail::Concat<detail::Filter<detail::KeepPhases, All>, typename detail::PhasesNamed<Couplings>::type>>;
 
-    /// @cond the rules, and the columns and rows of the schedule: read schedule.hpp first
-    template <class P>
-    static constexpr bool check_listed_once() {
-        if constexpr (((std::is_same_v<P, Items> ? 1 : 0) + ...) > 1)
-            return detail::break_rule<rules::SamePhaseTwice<P, list_each_phase_and_coupling_once>>();
-        else
-            return true;
-    }
-    template <class P, class C, class Allowed>
-    static constexpr bool check_named() {
-        if constexpr (!detail::contains<P, Allowed>)
-            return detail::break_rule<rules::NoSuchPhase<P, C, list_every_phase_of_a_coupling_in_the_solver>>();
-        else
-            return true;
-    }
-    template <class C, class... P>
-    static constexpr bool check_targets(TypeList<P...>) {
-        using Two = TypeList<typename C::First, typename C::Second>;
-        return (check_named<P, C, Two>() && ...);
-    }
-    template <class C>
-    static constexpr bool check_phases_of() {
-        if constexpr (!detail::IsCoupling<C>)
-            return true;
-        else if constexpr (std::is_same_v<typename C::First, typename C::Second>)
-            return detail::break_rule<rules::SamePhaseTwice<typename C::First, couple_two_different_phases>>();
-        else
-            return check_named<typename C::First, C, All>() && check_named<typename C::Second, C, All>() &&
-                   check_targets<C>(typename detail::TargetsOf<typename C::terms>::type{});
-    }
-    // A term of an item, and on which phase it acts there: one, or (void) both sides of a coupling.
-    template <class T>
-    struct Listed {
-        using Term = T;
-        using On = void;
-    };
-    template <class P, class T>
-    struct Listed<Into<P, T>> {
-        using Term = T;
-        using On = P;
-    };
-    template <class T, class U>
-    static constexpr bool overlap =
-        std::is_void_v<typename Listed<T>::On> || std::is_void_v<typename Listed<U>::On> ||
-        std::is_same_v<typename Listed<T>::On, typename Listed<U>::On>;
-    template <class Item, class T>
-    static constexpr bool check_term() {
-        using Term = typename Listed<T>::Term;
-        if constexpr (!detail::IsTerm<Term> || (!std::is_same_v<Term, T> && !detail::IsCoupling<Item>))
-            return detail::break_rule<rules::NotATerm<T, Item, list_terms_only_and_Into_only_in_couplings>>();
-        else if constexpr (!detail::IsCoupling<Item> && !detail::suits<Item, Term>)
-            return detail::break_rule<rules::NotASolid<Term, Item, give_it_to_a_solid>>();
-        else
-            return true;
-    }
-    template <class Item, class T, class U>
-    static constexpr bool check_two() {
-        using One = typename Listed<T>::Term;
-        using Two = typename Listed<U>::Term;
-        if constexpr (!overlap<T, U>)
-            return true;
-        else if constexpr (std::is_same_v<One, Two>)
-            return detail::break_rule<rules::TermTwice<One, Item, list_it_once>>();
-        else if constexpr (requires { requires std::is_same_v<typename One::effect, typename Two::effect>; })
-            return detail::break_rule<
-                rules::SameEffectTwice<typename One::effect, One, Two, Item, remove_one_of_the_two_terms>>();
-        else
-            return true;
-    }
-    template <class Item>
-    static constexpr bool check_twos(TypeList<>) {
-        return true;
-    }
-    template <class Item, class T, class... Rest>
-    static constexpr bool check_twos(TypeList<T, Rest...>) {
-        return (check_two<Item, T, Rest>() && ...) && check_twos<Item>(TypeList<Rest...>{});
-    }
-    template <class Item, class... T>
-    static constexpr bool check_terms(TypeList<T...> list) {
-        return (check_term<Item, T>() && ...) && check_twos<Item>(list);
-    }
-    static constexpr bool items_fit = (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...) &&
-                                      (check_terms<Items>(typename Items::terms{}) && ...);
-    /// @endcond
-
     /// The parts of all terms, each on each phase it writes to.
     using Nodes = typename detail::CollectNodes<dim, Phases, Couplings>::type;
     /// The fields of a phase: all that a term reads, adds to, sets or stores, and no other.
     template <class P>
     using FieldsOf = typename detail::CollectFields<dim, P, Nodes>::type;
 
-    template <class P>
     /// The position of a phase in `Phases`.
+    template <class P>
     static constexpr int phase_index = detail::index_of<P, Phases>;
 
     /// Does the phase keep its particles in the order of the stress-free configuration?
     template <class P>
     static constexpr bool keeps_reference = detail::contains<ReferencePosition, FieldsOf<P>>;
 
-    /// @cond
+    /// @cond the columns and rows of the schedule: read schedule.hpp first
     /// The states a phase advances within the step: all that have a rate, but the velocity.
     template <class List>
     struct AdvancedStates;
@@ -411,7 +327,7 @@ struct Composition {
     /// @cond
     // One rule after the other: what follows from one that is broken is not worth an error of its own.
     static constexpr bool check() {
-        if constexpr (items_fit)
+        if constexpr (detail::ListRules<Items...>::check())
             if constexpr (all_declarations_fit(Nodes{}))
                 if constexpr (check_neighbourhoods(Nodes{}))
                     return check_plan<true>() && check_plan<false>();

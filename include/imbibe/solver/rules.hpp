@@ -19,6 +19,7 @@ struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
 struct list_it_in_a_phase_or_coupling_or_do_not_name_it;
 struct let_every_short_step_evaluate_it;
+struct list_it_in_the_coupling_Into_the_phase;
 struct list_each_phase_and_coupling_once;
 struct list_the_term_Clamped_in_the_phase;
 struct remove_particles_of_other_phases_only;
@@ -56,6 +57,12 @@ struct TermTwice {
 template <class Effect, class TermOne, class TermTwo, class Where, class Advice>
 struct SameEffectTwice {
     static_assert(never<Effect>, "imbibe: two terms are forms of the same equation, which would count twice");
+};
+/// Rule: a term of a phase that needs another in its couplings (`beside_in_couplings`) has it in each that has a form of
+/// the same equation.
+template <class Missing, class Term, class Phase, class Coupling, class Advice>
+struct MissingInCoupling {
+    static_assert(never<Missing>, "imbibe: a term of this phase needs another in this coupling");
 };
 /// Rule: a function of a pair adds to fields; there is no one pair that could set one.
 template <class Part, class Term, class Advice>

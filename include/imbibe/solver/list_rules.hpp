@@ -1,0 +1,142 @@
+// The rules that a scene's phases, couplings and terms keep as they are listed, before anything is made of them.
+#pragma once
+
+#include <imbibe/solver/nodes.hpp>
+#include <imbibe/solver/rules.hpp>
+
+#include <type_traits>
+
+namespace imbibe::detail {
+
+/// @tparam Items the phases and couplings of a scene
+template <class... Items>
+struct ListRules {
+    /// True, or a compile error that names the broken rule.
+    static constexpr bool check() {
+        return (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...) &&
+               (check_terms<Items>(typename Items::terms{}) && ...) && (check_company<Items>() && ...);
+    }
+
+private:
+    template <class P>
+    static constexpr bool check_listed_once() {
+        if constexpr (((std::is_same_v<P, Items> ? 1 : 0) + ...) > 1)
+            return break_rule<rules::SamePhaseTwice<P, list_each_phase_and_coupling_once>>();
+        else
+            return true;
+    }
+    template <class P, class C, class Allowed>
+    static constexpr bool check_named() {
+        if constexpr (!contains<P, Allowed>)
+            return break_rule<rules::NoSuchPhase<P, C, list_every_phase_of_a_coupling_in_the_solver>>();
+        else
+            return true;
+    }
+    template <class C, class... P>
+    static constexpr bool check_targets(TypeList<P...>) {
+        using Two = TypeList<typename C::First, typename C::Second>;
+        return (check_named<P, C, Two>() && ...);
+    }
+    template <class C>
+    static constexpr bool check_phases_of() {
+        if constexpr (!IsCoupling<C>)
+            return true;
+        else if constexpr (std::is_same_v<typename C::First, typename C::Second>)
+            return break_rule<rules::SamePhaseTwice<typename C::First, couple_two_different_phases>>();
+        else
+            return check_named<typename C::First, C, TypeList<Items...>>() &&
+                   check_named<typename C::Second, C, TypeList<Items...>>() &&
+                   check_targets<C>(typename TargetsOf<typename C::terms>::type{});
+    }
+    // A term of an item, and on which phase it acts there: one, or (void) both sides of a coupling.
+    template <class T>
+    struct Listed {
+        using Term = T;
+        using On = void;
+    };
+    template <class P, class T>
+    struct Listed<Into<P, T>> {
+        using Term = T;
+        using On = P;
+    };
+    template <class T, class U>
+    static constexpr bool overlap = std::is_void_v<typename Listed<T>::On> || std::is_void_v<typename Listed<U>::On> ||
+                                    std::is_same_v<typename Listed<T>::On, typename Listed<U>::On>;
+    template <class Item, class T>
+    static constexpr bool check_term() {
+        using Term = typename Listed<T>::Term;
+        if constexpr (!IsTerm<Term> || (!std::is_same_v<Term, T> && !IsCoupling<Item>))
+            return break_rule<rules::NotATerm<T, Item, list_terms_only_and_Into_only_in_couplings>>();
+        else if constexpr (!IsCoupling<Item> && !suits<Item, Term>)
+            return break_rule<rules::NotASolid<Term, Item, give_it_to_a_solid>>();
+        else
+            return true;
+    }
+    template <class Item, class T, class U>
+    static constexpr bool check_two() {
+        using One = typename Listed<T>::Term;
+        using Two = typename Listed<U>::Term;
+        if constexpr (!overlap<T, U>)
+            return true;
+        else if constexpr (std::is_same_v<One, Two>)
+            return break_rule<rules::TermTwice<One, Item, list_it_once>>();
+        else if constexpr (requires { requires std::is_same_v<typename One::effect, typename Two::effect>; })
+            return break_rule<
+                rules::SameEffectTwice<typename One::effect, One, Two, Item, remove_one_of_the_two_terms>>();
+        else
+            return true;
+    }
+    template <class Item>
+    static constexpr bool check_twos(TypeList<>) {
+        return true;
+    }
+    template <class Item, class T, class... Rest>
+    static constexpr bool check_twos(TypeList<T, Rest...>) {
+        return (check_two<Item, T, Rest>() && ...) && check_twos<Item>(TypeList<Rest...>{});
+    }
+    template <class Item, class... T>
+    static constexpr bool check_terms(TypeList<T...> list) {
+        return (check_term<Item, T>() && ...) && check_twos<Item>(list);
+    }
+    // Has a coupling with these terms one of the effect, or the term itself, that acts on phase P?
+    template <class P, class T>
+    static constexpr bool acts_on = std::is_void_v<typename Listed<T>::On> || std::is_same_v<typename Listed<T>::On, P>;
+    template <class P, class Effect, class... T>
+    static constexpr bool has_effect_on(TypeList<T...>) {
+        const auto has = []<class Term>(std::type_identity<Term>) {
+            return requires {
+                requires std::is_same_v<typename Term::effect, Effect>;
+            };
+        };
+        return ((acts_on<P, T> && has(std::type_identity<typename Listed<T>::Term>{})) || ...);
+    }
+    template <class P, class Term, class... T>
+    static constexpr bool has_term_on(TypeList<T...>) {
+        return ((acts_on<P, T> && std::is_same_v<typename Listed<T>::Term, Term>) || ...);
+    }
+    template <class C, class P, class Term>
+    static constexpr bool check_beside() {
+        if constexpr (requires { typename Term::beside_in_couplings; }) {
+            using Needed = typename Term::beside_in_couplings;
+            if constexpr (has_effect_on<P, typename Term::effect>(typename C::terms{}) &&
+                          !has_term_on<P, Needed>(typename C::terms{}))
+                return break_rule<
+                    rules::MissingInCoupling<Needed, Term, P, C, list_it_in_the_coupling_Into_the_phase>>();
+        }
+        return true;
+    }
+    template <class C, class P, class... Term>
+    static constexpr bool check_all_beside(TypeList<Term...>) {
+        return (check_beside<C, P, Term>() && ...);
+    }
+    template <class C>
+    static constexpr bool check_company() {
+        if constexpr (IsCoupling<C>)
+            return check_all_beside<C, typename C::First>(typename C::First::terms{}) &&
+                   check_all_beside<C, typename C::Second>(typename C::Second::terms{});
+        else
+            return true;
+    }
+};
+
+} // namespace imbibe::detail
