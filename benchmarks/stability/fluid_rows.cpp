@@ -34,6 +34,7 @@ void add_fluids(Table& table) {
     add<UnbrakedDamBreak>(table, UnbrakedDamBreak::name);
     add<GuardedDamBreak>(table, GuardedDamBreak::name);
     add<Riemann>(table, Riemann::name);
+    add<CorrectedGradients>(table, CorrectedGradients::name);
     add<Paper>(table, Paper::name);
     add<Integrated<Paper, sph::SymplecticEuler>>(table, sph::text(Paper::name, ", SymplecticEuler"));
     add<WeaklyCompressible, double, 3>(table, sph::text(WeaklyCompressible::name, ", 3D"));
