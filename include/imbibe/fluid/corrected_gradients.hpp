@@ -46,7 +46,7 @@ IMBIBE_INLINE constexpr auto shown_correction(const Particle& particle, const Ot
 template <class Kernel>
 IMBIBE_INLINE constexpr auto corrected_viscous_rate(const auto& a, const auto& b, const auto& ab) {
     const double eta = viscosity_sum(a.material, b.material);
-    const auto both = full(shown_correction(a, b) + shown_correction(b, a)) * ab.offset;
+    const auto both = (shown_correction(a, b) + shown_correction(b, a)) * ab.offset;
     const auto correction = dot(ab.offset, both) * ab.inverse_squared_distance();
     return (0.5 * eta) * b[mass] / (a[density] * b[density]) * correction * ab.gradient(Kernel{});
 }
@@ -74,7 +74,7 @@ struct CorrectedContinuity {
         using adds = Fields<density_rate>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            const auto corrected = full(a[gradient_correction]) * ab.offset;
+            const auto corrected = a[gradient_correction] * ab.offset;
             return a[density] * b[volume] * dot(a[velocity] - b[velocity], corrected) * ab.gradient(Kernel{});
         }
     };
@@ -111,7 +111,7 @@ struct CorrectedPressure {
             const auto per_mass = 1 / a[mass]; // does not depend on b: leaves the pair loop
             const auto both =
                 a[pressure] * detail::shown_correction(a, b) + b[pressure] * detail::shown_correction(b, a);
-            return -(a[volume] * b[volume] * ab.gradient(Kernel{}) * per_mass) * (full(both) * ab.offset);
+            return -(a[volume] * b[volume] * ab.gradient(Kernel{}) * per_mass) * (both * ab.offset);
         }
     };
     using parts = Parts<Volume, Push>;
