@@ -36,6 +36,7 @@ struct WaterDiffusion : WaterWith<DensityDiffusion<K>> {};
 struct WaterFloor : WaterWith<DensityFloor> {};
 struct WaterXsph : WaterWith<Xsph<K>, XsphTransport> {};
 struct WaterShifting : WaterWith<ParticleShifting<K>> {};
+struct WaterAdvection : WaterWith<ParticleShifting<K>, TransportAdvection<K>> {};
 struct WaterTait : Fluid<Tait<7>, VolumeContinuity<K>, VolumePressure<K>> {};
 struct WaterSymmetric : Fluid<LinearState, Continuity<K>, SymmetricPressure<K>> {};
 struct WaterRiemann : Fluid<LinearState, RiemannContinuity<K>, RiemannPressure<K>> {};
@@ -173,6 +174,8 @@ Cases all_cases() {
     add<WaterXsph>(cases, "`Xsph` with `XsphTransport`", "particles that move with their neighbours, in order");
     add<WaterShifting>(cases, "`ParticleShifting`, whose sums are `ShiftingNeighbours`",
                        "evenly spread particles where flow stretches them");
+    add<WaterAdvection>(cases, "`TransportAdvection` with `ParticleShifting`",
+                        "velocities that are right although particles are shifted");
     add<WaterAntuono>(cases, "`AntuonoDiffusion` with `CurrentCorrection`",
                       "a smooth pressure, where gravity is not all that acts");
     add<WaterCorrected>(

@@ -16,6 +16,7 @@
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/particle_shifting.hpp>
 #include <imbibe/fluid/summation_density.hpp>
+#include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/wall/corrected_no_slip.hpp>
 
@@ -25,7 +26,7 @@ namespace validation::cavity {
 
 using K = sph::QuinticSpline;
 struct Oil : sph::Fluid<sph::LinearState, sph::SummationDensity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>,
-                        sph::ParticleShifting<K>> {};
+                        sph::ParticleShifting<K>, sph::TransportAdvection<K>> {};
 struct Walls : sph::Wall<> {};
 template <class Liquid>
 struct OnWalls

@@ -16,6 +16,7 @@
 #include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/fluid/riemann.hpp>
+#include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/geometry/jitter.hpp>
 
 #include <algorithm>
@@ -29,6 +30,9 @@ template <class K>
 struct Plain : Water<K, sph::MorrisViscosity<K>> {};
 template <class K>
 struct Shifted : Water<K, sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
+/// The same, and the velocity changes along the way that particles are shifted.
+template <class K>
+struct Advected : Water<K, sph::MorrisViscosity<K>, sph::ParticleShifting<K>, sph::TransportAdvection<K>> {};
 template <class K>
 struct Antuono
     : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::CurrentCorrection<K>, sph::AntuonoDiffusion<K>,

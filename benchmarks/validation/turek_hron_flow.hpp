@@ -20,6 +20,7 @@
 #include "solid.hpp"
 
 #include <imbibe/fluid/morris_viscosity.hpp>
+#include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/solid/bending_modulus.hpp>
 #include <imbibe/solid/total_lagrangian_viscosity.hpp>
@@ -56,7 +57,7 @@ struct Load {
     }
 };
 
-struct Flow : Water<K, sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
+struct Flow : Water<K, sph::MorrisViscosity<K>, sph::ParticleShifting<K>, sph::TransportAdvection<K>> {};
 struct Walls : sph::Wall<> {};
 struct Cylinder : sph::Wall<> {};
 struct Flag : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,

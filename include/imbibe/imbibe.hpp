@@ -33,6 +33,7 @@
 #include <imbibe/fluid/riemann.hpp>
 #include <imbibe/fluid/summation_density.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
+#include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
 #include <imbibe/kernels/kernels.hpp>

@@ -17,6 +17,7 @@
 #include <imbibe/fluid/particle_shifting.hpp>
 #include <imbibe/fluid/summation_density.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
+#include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
@@ -77,7 +78,7 @@ using EveryPairPart = TypeList<
     Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>,
     Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>, Case<CorrectedContinuity<>::Sweep, Water, Water, false>,
     Case<CorrectedPressure<>::Push, Water, Water, true>, Case<CorrectedViscosity<>, Water, Water, true>,
-    Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>>;
+    Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<TransportAdvection<>, Water, Water, false>>;
 
 /// Those that are no force and not zero for the particle itself, or have two results.
 using OtherPairParts =
@@ -116,6 +117,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(surface_normal, dice.vector<dim>(0.5));
     p.set(gradient_correction, symmetric_part(t));
     p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
+    p.set(transport_correction, dice.vector<dim>(0.1));
     return p;
 }
 

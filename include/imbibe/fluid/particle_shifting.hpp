@@ -85,9 +85,9 @@ struct ShiftingNeighbours {
 /// where chi is 1 for particles whose position divergence, sum_b V_b (x_b - x_a).grad W_ab, is below 0.75 dim, and 0
 /// above 0.85 dim. So it is off in the first two layers, and weaker in the third.
 ///
-/// Neglected: the shifted particle takes its velocity and density along (the terms div(rho delta v) and
-/// div(rho v (x) delta v) of a moving frame). Mass and momentum are conserved exactly, energy and angular momentum are
-/// not, by the order of |delta v|/|v| times the change of velocity over H. So not for long runs without viscosity.
+/// The shifted particle takes its velocity and density along. Mass and momentum are conserved exactly, energy and
+/// angular momentum are not, by the order of |delta v|/|v| times the change of velocity over H. So not for long runs
+/// without viscosity; and where velocities are to be right in vortices of little, TransportAdvection beside it.
 /// Not where things are at rest or where only differences of velocity count: the speed is that in the frame of the
 /// scene. Not beside XsphTransport. Where it stands in a flow between walls, ShiftingNeighbours in the coupling.
 /// Not from a perfect lattice with the coefficients as they are: it has no gradient of concentration until its rows
