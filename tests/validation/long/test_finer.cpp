@@ -75,18 +75,18 @@ TEST_CASE("The beam of Turek and Hron, finer, hangs as far as theirs", "[validat
     CHECK(std::abs(tip[1] / reference[1] - 1) < 0.03);
 }
 
-TEST_CASE("A lid drives the flow in a cavity as Ghia, Ghia and Shin say", "[validation][fluid]") {
+TEST_CASE("A lid drives the flow in a cavity as it should, finer", "[validation][fluid]") {
     const auto lines = cavity::drive<cavity::Oil>(40, 15);
     CAPTURE(lines.least_u, lines.greatest_v, lines.least_v, lines.lightest, lines.densest);
-    CHECK(lines.least_u == Approx(-0.21090).epsilon(0.02));
-    CHECK(lines.greatest_v == Approx(0.17527).epsilon(0.06)); // missed: 2 % was asked for with 50 particles
-    CHECK(lines.least_v == Approx(-0.24533).epsilon(0.05));
+    CHECK(lines.least_u == Approx(cavity::at_100.least_u).epsilon(0.02));
+    CHECK(lines.greatest_v == Approx(cavity::at_100.greatest_v).epsilon(0.06)); // missed: 2 % was asked for with 50 particles
+    CHECK(lines.least_v == Approx(cavity::at_100.least_v).epsilon(0.05));
 }
 
 TEST_CASE("With corrected gradients a lid drives the flow within 2 %", "[validation][fluid]") {
     const auto lines = cavity::drive<cavity::CorrectedOil>(50, 15);
     CAPTURE(lines.least_u, lines.greatest_v, lines.least_v, lines.lightest, lines.densest);
-    CHECK(lines.least_u == Approx(-0.21090).epsilon(0.02));
-    CHECK(lines.greatest_v == Approx(0.17527).epsilon(0.02));
-    CHECK(lines.least_v == Approx(-0.24533).epsilon(0.02));
+    CHECK(lines.least_u == Approx(cavity::at_100.least_u).epsilon(0.02));
+    CHECK(lines.greatest_v == Approx(cavity::at_100.greatest_v).epsilon(0.02));
+    CHECK(lines.least_v == Approx(cavity::at_100.least_v).epsilon(0.02));
 }
