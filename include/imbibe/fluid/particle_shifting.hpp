@@ -59,6 +59,10 @@ struct ParticleShiftingParameters {
 /// particles of a wall or a solid count as neighbours. Without that a wall is taken for a free surface, beside which
 /// nothing is shifted.
 ///
+/// Not where the density follows VolumeContinuity or Continuity: particles that are shifted off a wall all the time make
+/// the fluid flow towards it, and its density rises, in a closed cavity by 20 % until t = 15, while the flow loses half
+/// of its speed. With SummationDensity, and with corrected gradients, it belongs there (docs/validation.md, cavity).
+///
 /// Source: Monaghan (2000) for the factor; see ParticleShifting.
 template <class Kernel = WendlandC2>
 struct ShiftingNeighbours {
@@ -89,7 +93,7 @@ struct ShiftingNeighbours {
 /// angular momentum are not, by the order of |delta v|/|v| times the change of velocity over H. So not for long runs
 /// without viscosity; and where velocities are to be right in vortices of little, TransportAdvection beside it.
 /// Not where things are at rest or where only differences of velocity count: the speed is that in the frame of the
-/// scene. Not beside XsphTransport. Where it stands in a flow between walls, ShiftingNeighbours in the coupling.
+/// scene. Not beside XsphTransport. In a flow between walls see ShiftingNeighbours.
 /// Not from a perfect lattice with the coefficients as they are: it has no gradient of concentration until its rows
 /// collapse. Jitter it by a few per cent of a spacing (geometry/jitter.hpp), or take strength = 4 and the speed of the
 /// flow for least_speed: a Taylor-Green vortex at Re = 100 is then right to 1 %, else it loses a third of its speed.
