@@ -10,10 +10,10 @@ namespace imbibe {
 /// ParticleShifting or XsphTransport: (delta v . grad) v, what the fluid's velocity changes by along the way that a
 /// particle is moved beside it. Without this a particle takes its velocity along.
 ///
-/// For flows with vortices and shear layers that are shifted for long: it halves the error of the velocity in a
-/// Taylor-Green vortex at Re = 1000, and in a cavity driven by its lid at that Re it takes most of it away
-/// (docs/validation.md). Kernel gradients that are not corrected are good enough: with corrected ones the error is the
-/// same to a tenth.
+/// For flows with vortices and shear layers whose particles are shifted by much: with a `strength` of 4 it halves the
+/// error of the velocity in a Taylor-Green vortex at Re = 1000, with the default of 2 it takes a tenth of it away, at
+/// Re = 100 nothing; in a cavity that its lid drives at Re = 1000 most of it (docs/validation.md). Kernel gradients that
+/// are not corrected are good enough: with corrected ones the error is the same to a tenth.
 ///
 /// Not in couplings: that the wall's velocity counts too changes little, and a density that follows a continuity
 /// equation drifts away, because particles that are shifted off the wall are made to flow towards it.
