@@ -12,8 +12,9 @@ namespace imbibe {
 ///
 /// For flows with vortices and shear layers whose particles are shifted by much: with a `strength` of 4 it halves the
 /// error of the velocity in a Taylor-Green vortex at Re = 1000, with the default of 2 it takes a tenth of it away, at
-/// Re = 100 nothing; in a cavity that its lid drives at Re = 1000 most of it (docs/validation.md). Kernel gradients that
-/// are not corrected are good enough: with corrected ones the error is the same to a tenth.
+/// Re = 100 nothing; a cavity that its lid drives at Re = 1000 is 1.6 to 2.5 % too slow with it, with corrected
+/// gradients, and 2.7 to 3.7 % without (docs/validation.md). Its own gradients need no correction: with it the error is
+/// the same to a tenth.
 ///
 /// Not in couplings: that the wall's velocity counts too changes little, and a density that follows a continuity
 /// equation drifts away, because particles that are shifted off the wall are made to flow towards it.
