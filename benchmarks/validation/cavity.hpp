@@ -1,9 +1,9 @@
 // Flow in a square cavity that its lid drives.
 //
 // Reference: the least u on the line x = 0.5, the greatest and the least v on y = 0.5. At Re = 100 -0.21404, 0.17957,
-// -0.25380 (Marchi, Suero and Araki 2009, extrapolated from 1024 x 1024 cells), at Re = 1000 -0.38857, 0.37694, -0.52708
-// (Botella and Peyret 1998, spectral). Those that are mostly cited, Ghia, Ghia and Shin (1982), are 1.5 to 3.3 % less.
-// Geometry: side 1, lid speed 1, nu = 1/Re; walls of three layers on all sides, of which the upper ones move.
+// -0.25380 (Marchi, Suero and Araki 2009, extrapolated from 1024 x 1024 cells), at Re = 1000 -0.38857, 0.37694,
+// -0.52708 (Botella and Peyret 1998, spectral). Those that are mostly cited, Ghia, Ghia and Shin (1982), are 1.5 to 3.3
+// % less. Geometry: side 1, lid speed 1, nu = 1/Re; walls of three layers on all sides, of which the upper ones move.
 // Scheme: quintic spline of 3 spacings, MorrisViscosity and SummationDensity, which cannot drift; or Wendland C2 of 3
 // spacings with corrected gradients and density diffusion; in both, shifting and TransportAdvection. The walls count as
 // neighbours in all sums but those of the latter. Sound is 10. From rest, on a lattice jittered by a tenth of a
@@ -36,10 +36,9 @@ struct OnWalls
                     sph::Into<Liquid, sph::SummationNeighbours<K>>, sph::Into<Liquid, sph::ShiftingNeighbours<K>>> {};
 
 using C2 = sph::WendlandC2;
-struct CorrectedOil
-    : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::CorrectedContinuity<C2>, sph::DensityDiffusion<C2>,
-                 sph::CorrectedPressure<C2>, sph::CorrectedViscosity<C2>, sph::ParticleShifting<C2>,
-                 sph::TransportAdvection<C2>> {};
+struct CorrectedOil : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::CorrectedContinuity<C2>,
+                                 sph::DensityDiffusion<C2>, sph::CorrectedPressure<C2>, sph::CorrectedViscosity<C2>,
+                                 sph::ParticleShifting<C2>, sph::TransportAdvection<C2>> {};
 template <>
 struct OnWalls<CorrectedOil>
     : sph::Coupling<CorrectedOil, Walls, sph::Into<Walls, sph::PressureExtrapolation<C2>>, sph::CorrectedPressure<C2>,

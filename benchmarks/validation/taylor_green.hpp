@@ -144,16 +144,15 @@ void measure_one(std::vector<Measured>& found, const Run& run, const char* schem
     Liquid liquid;
     liquid.set(strong_shifting);
     const Decay seen = decay(run, times, liquid);
-    const auto name =
-        sph::text(", Re = ", run.reynolds, run.jitter > 0 ? ", jittered" : ", from a lattice", scheme);
+    const auto name = sph::text(", Re = ", run.reynolds, run.jitter > 0 ? ", jittered" : ", from a lattice", scheme);
     for (std::size_t k = 0; k < times.size(); ++k) {
         const double exact = std::exp(-8 * sph::sq(std::numbers::pi) * times[k] / run.reynolds);
         found.push_back({sph::text("greatest speed at ", times[k], name),
                          run.reynolds < 1000 ? "1.5 % at 100" : "2 % at 100", seen.at[k].speed * exact, exact});
     }
     if (run.reynolds == 1000)
-        found.push_back({"1 + the velocity's error at 2, root mean square" + name, "none given",
-                         1 + seen.at.back().error, 1});
+        found.push_back(
+            {"1 + the velocity's error at 2, root mean square" + name, "none given", 1 + seen.at.back().error, 1});
     found.push_back({"fewest neighbours at 2 (sum of V W)" + name, "no void", seen.emptiest, 1});
 }
 

@@ -14,8 +14,7 @@ using Term = TransportAdvection<WendlandC2>;
 /// Nine particles each way, three spacings of support, all shifted by the same velocity; `flow` gives theirs.
 template <int dim>
 auto shifted(const Column<dim>& shift, const auto& flow) {
-    const Water water{
-        .density = 1000, .sound_speed = 30, .viscosity = 1e-3, .support_radius = 3e-3, .spacing = 1e-3};
+    const Water water{.density = 1000, .sound_speed = 30, .viscosity = 1e-3, .support_radius = 3e-3, .spacing = 1e-3};
     auto fluid = block<dim>(water, 9, 0);
     for (auto& p : fluid)
         p.set(transport_correction, vec<dim>(shift)).set(velocity, vec<dim>(flow(plain(p[position]))));
@@ -34,7 +33,8 @@ void check_shear() {
     CHECK((plain(sum(Term{}, centre, sheared)) - expected).norm() < 0.005 * expected.norm());
 
     const auto uniform = shifted<dim>(shift, [&](const Column<dim>&) { return stream; });
-    const auto resting = shifted<dim>(Column<dim>::Zero(), [&](const Column<dim>& x) { return Column<dim>(slope * x); });
+    const auto resting =
+        shifted<dim>(Column<dim>::Zero(), [&](const Column<dim>& x) { return Column<dim>(slope * x); });
     for (const auto* fluid : {&uniform, &resting})
         for (const auto& p : *fluid)
             CHECK(plain(sum(Term{}, p, *fluid)).norm() == 0);

@@ -4,9 +4,9 @@
 
 namespace cavity = validation::cavity;
 
-// A coarse cavity: off by 2 to 8, 7 to 11 and 6 to 11 % from eight different starts, and so with the rounding of compilers
-// and pack widths, to which this flow of few particles answers as to any small change; by less with twice as many
-// (docs/validation.md). The bounds are their mean and three times their scatter.
+// A coarse cavity: off by 2 to 8, 7 to 11 and 6 to 11 % from eight different starts, and so with the rounding of
+// compilers and pack widths, to which this flow of few particles answers as to any small change; by less with twice as
+// many (docs/validation.md). The bounds are their mean and three times their scatter.
 TEST_CASE("A lid drives the flow in a cavity", "[validation][fluid]") {
     const auto lines = cavity::drive<cavity::Oil>(24, 10);
     CAPTURE(lines.least_u, lines.greatest_v, lines.least_v, lines.lightest, lines.densest);
