@@ -13,6 +13,7 @@
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
+#include <imbibe/time/staggered_leapfrog.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/wall/riemann_wall.hpp>
 
@@ -79,6 +80,19 @@ TEST_CASE("Vortices of little viscosity are right to half the error with Transpo
     CAPTURE(carried.error, advected.error, carried.speed, advected.speed);
     CHECK(advected.error < 0.6 * carried.error);
     CHECK(std::abs(advected.speed - 1) < 0.02);
+}
+
+// What steps of the default length add to the energy of vortices until t = 1, beside steps of a quarter: 3 % where
+// densities stand half a step off the positions, 0.1 % where they do not.
+TEST_CASE("Long steps add no energy to vortices with StaggeredLeapfrog", "[fluid]") {
+    const auto energy = []<class Integrator>(Integrator, double cfl) {
+        square::Shifted<K> liquid;
+        liquid.set(square::strong_shifting);
+        const square::Run run{.across = 25, .cfl = cfl, .reynolds = 1000};
+        return square::decay<square::Shifted<K>, double, Integrator>(run, {1}, liquid).at[0].energy;
+    };
+    CHECK(std::abs(energy(sph::StaggeredLeapfrog{}, 0.4) - energy(sph::StaggeredLeapfrog{}, 0.1)) < 0.005);
+    CHECK(energy(sph::SymplecticEuler{}, 0.4) - energy(sph::SymplecticEuler{}, 0.1) > 0.015);
 }
 
 // What its waves dissipate is seen in smooth flow: 3 to 4 % of the speed (the bound of 5 % was chosen after measuring).

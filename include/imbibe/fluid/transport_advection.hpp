@@ -18,10 +18,9 @@ namespace imbibe {
 ///
 /// Not in couplings: that the wall's velocity counts too changes little, and a density that follows a continuity
 /// equation drifts away, because particles that are shifted off the wall are made to flow towards it.
-/// Not without viscosity, nor with steps as long as they may be where energy counts: what is advected in explicit steps
-/// gains a little (2 % in that vortex with a CFL number of 0.4, nothing with 0.1). Not where momentum must be conserved
-/// exactly. A whole sweep more, so not where particles are hardly shifted. The density is left alone: what it changes
-/// by along the way is set right by sound.
+/// Not without viscosity, and not where momentum must be conserved exactly. A whole sweep more, so not where particles
+/// are hardly shifted. The density is left alone: what it changes by along the way is set right by sound. Long steps add
+/// energy beside it as without it (SymplecticEuler).
 ///
 /// Source: the convective term of Oger et al. (2016) and of Sun et al. (2019), as it is for particles of constant mass.
 /// The stress rho v (x) delta v of Adami, Hu and Adams (2013) in its place conserves momentum, but counts v div(rho
