@@ -67,6 +67,7 @@ const Methods<>
              {"float", vortices<Shifted<C2>, float>},
              {"dual stepping", vortices<Shifted<C2>, double, Dual>},
              {"position Verlet", vortices<Shifted<C2>, double, sph::PositionVerlet>},
+             {"staggered leapfrog", vortices<Shifted<C2>, double, sph::StaggeredLeapfrog>},
              {"predictor-corrector", vortices<Shifted<C2>, double, sph::PredictorCorrector>}});
 
 } // namespace
