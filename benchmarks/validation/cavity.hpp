@@ -2,13 +2,18 @@
 //
 // Reference: the least u on the line x = 0.5, the greatest and the least v on y = 0.5. At Re = 100 -0.21404, 0.17957,
 // -0.25380 (Marchi, Suero and Araki 2009, extrapolated from 1024 x 1024 cells), at Re = 1000 -0.38857, 0.37694,
-// -0.52708 (Botella and Peyret 1998, spectral). Those that are mostly cited, Ghia, Ghia and Shin (1982), are 1.5 to 3.3
-// % less. Geometry: side 1, lid speed 1, nu = 1/Re; walls of three layers on all sides, of which the upper ones move.
+// -0.52708 (Botella and Peyret 1998, spectral). The mostly cited ones of Ghia, Ghia and Shin (1982) are 1.5 to 3.3 %
+// nearer to zero.
+//
+// Geometry: side 1, lid speed 1, nu = 1/Re; walls of three layers on all sides, of which the upper ones move.
+//
 // Scheme: quintic spline of 3 spacings, MorrisViscosity and SummationDensity, which cannot drift; or Wendland C2 of 3
 // spacings with corrected gradients and density diffusion; in both, shifting and TransportAdvection. The walls count as
 // neighbours in all sums but those of the latter. Sound is 10. From rest, on a lattice jittered by a tenth of a
-// spacing. Measure: the mean over the last fifth of 15 (Re = 1000: 60) of the velocities on the two lines, by moving
-// least squares of first order over the particles within H.
+// spacing.
+//
+// Measure: the mean over the last fifth of 15 (Re = 1000: 60) of the velocities on the two lines, by moving least
+// squares of first order over the particles within H.
 #pragma once
 
 #include "case.hpp"

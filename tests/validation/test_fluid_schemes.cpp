@@ -74,7 +74,7 @@ TEST_CASE("Vortices decay as they should from a lattice, with strong shifting", 
 TEST_CASE("Vortices of little viscosity are right to half the error with TransportAdvection", "[fluid]") {
     const auto decayed = [](auto liquid) {
         liquid.set(square::strong_shifting);
-        return square::decay({.across = 40, .reynolds = 1000}, {1}, liquid).at[0];
+        return square::decay({.across = 40, .reynolds = 1000, .neighbours = false}, {1}, liquid).at[0];
     };
     const auto carried = decayed(square::Shifted<K>{}), advected = decayed(square::Advected<K>{});
     CAPTURE(carried.error, advected.error, carried.speed, advected.speed);
@@ -88,7 +88,7 @@ TEST_CASE("Long steps add no energy to vortices with StaggeredLeapfrog", "[fluid
     const auto energy = []<class Integrator>(Integrator, double cfl) {
         square::Shifted<K> liquid;
         liquid.set(square::strong_shifting);
-        const square::Run run{.across = 25, .cfl = cfl, .reynolds = 1000};
+        const square::Run run{.across = 25, .cfl = cfl, .reynolds = 1000, .neighbours = false};
         return square::decay<square::Shifted<K>, double, Integrator>(run, {1}, liquid).at[0].energy;
     };
     CHECK(std::abs(energy(sph::StaggeredLeapfrog{}, 0.4) - energy(sph::StaggeredLeapfrog{}, 0.1)) < 0.005);

@@ -7,8 +7,9 @@
 namespace imbibe {
 
 /// dv_a/dt = sum_b m_b/rho_b (delta v_a . grad_a W_ab) (v_b - v_a), in m/s^2, with the transport correction delta v of
-/// ParticleShifting or XsphTransport: (delta v . grad) v, what the fluid's velocity changes by along the way that a
-/// particle is moved beside it. Without this a particle takes its velocity along.
+/// ParticleShifting: (delta v . grad) v, what the fluid's velocity changes by along the way that a particle is moved
+/// beside it. Without this a particle takes its velocity along. (XsphTransport sets the same field; with that it was
+/// not tried.)
 ///
 /// For flows with vortices and shear layers whose particles are shifted by much: with a `strength` of 4 it halves the
 /// error of the velocity in a Taylor-Green vortex at Re = 1000, with the default of 2 it takes a tenth of it away, at
@@ -19,8 +20,8 @@ namespace imbibe {
 /// Not in couplings: that the wall's velocity counts too changes little, and a density that follows a continuity
 /// equation drifts away, because particles that are shifted off the wall are made to flow towards it.
 /// Not without viscosity, and not where momentum must be conserved exactly. A whole sweep more, so not where particles
-/// are hardly shifted. The density is left alone: what it changes by along the way is set right by sound. Long steps add
-/// energy beside it as without it (SymplecticEuler).
+/// are hardly shifted. The density is left alone: what it changes by along the way is set right by sound. Long steps
+/// add energy beside it as without it (SymplecticEuler).
 ///
 /// Source: the convective term of Oger et al. (2016) and of Sun et al. (2019), as it is for particles of constant mass.
 /// The stress rho v (x) delta v of Adami, Hu and Adams (2013) in its place conserves momentum, but counts v div(rho

@@ -11,8 +11,9 @@ namespace imbibe {
 /// Not where velocities are wanted at the time of the positions, as in the energy of an undamped solid: Leapfrog. Not
 /// for vortices of little viscosity: their densities stand half a step off the positions, and the pressure they make
 /// turns with them. With steps of the default length a Taylor-Green vortex at Re = 1000 gains 3 % of energy until t = 1
-/// over one with steps of a quarter, with StaggeredLeapfrog nothing (tests/validation/test_fluid_schemes.cpp). Source:
-/// Hairer, Lubich and Wanner (2003), Eq. 1.9; one evaluation of all terms a step.
+/// over one with steps of a quarter, with StaggeredLeapfrog nothing (tests/validation/test_fluid_schemes.cpp).
+///
+/// Source: Hairer, Lubich and Wanner (2003), Eq. 1.9; one evaluation of all terms a step.
 struct SymplecticEuler {
     template <class Engine>
     static void step(Engine& engine, double dt) {
