@@ -31,13 +31,13 @@ struct Periodic {
     std::array<double, static_cast<std::size_t>(dim)> lower{}, length{};
 };
 
-/// x moved by whole periods into [lower, lower + length), m.
+/// x moved by whole periods into [lower, lower + length), m. What is not a finite number becomes none.
 template <class Real>
 Real into_period(Real x, Real lower, Real length) {
     if (x >= lower && x < lower + length)
         return x;
     x -= length * std::floor((x - lower) / length);
-    return x >= lower && x < lower + length ? x : lower; // rounding may leave it on the far side
+    return x < lower || x >= lower + length ? lower : x; // rounding may leave it on the far side
 }
 
 /// The smallest box around a set of points.

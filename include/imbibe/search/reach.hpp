@@ -21,17 +21,17 @@ struct IMBIBE_PER_BUILD PlacesInCells {
     void take(const Grid<dim>& grid, const Place& place, std::size_t n) {
         for (int d = 0; d < dim; ++d) {
             const double lower = grid.lower(d), inverse = 1 / grid.width(d);
-            const auto width = static_cast<float>(std::min(grid.width(d) / grid.width(0), 1e9)); // not infinite
+            const double width = std::min(grid.width(d) / grid.width(0), 1e9); // squared it is not infinite in float
             const auto& from = place[static_cast<std::size_t>(d)];
             for (std::size_t k = 0; k < n; ++k) {
                 const double at = (static_cast<double>(from[k]) - lower) * inverse, whole = std::floor(at);
-                const auto inside = static_cast<float>(at - whole);
+                const double inside = at - whole;
                 cell[d][k] = static_cast<std::int32_t>(whole);
                 if (d == 0) {
-                    x[k] = inside;
+                    x[k] = static_cast<float>(inside);
                 } else {
-                    below[d - 1][k] = sq(inside * width);
-                    above[d - 1][k] = sq((1 - inside) * width);
+                    below[d - 1][k] = static_cast<float>(sq(inside * width));
+                    above[d - 1][k] = static_cast<float>(sq((1 - inside) * width));
                 }
             }
         }

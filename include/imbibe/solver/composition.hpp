@@ -338,4 +338,19 @@ struct Composition {
     static constexpr bool valid = check();
 };
 
+namespace detail {
+
+/// True, or a compile error that names the broken rule: is the third argument of a solver an integrator, and does the
+/// scene keep its rules?
+template <class Integrator, class Scene>
+constexpr bool check_scene() {
+    if constexpr (IsPhase<Integrator> || IsCoupling<Integrator>)
+        return break_rule<
+            rules::NoIntegrator<Integrator, put_an_integrator_such_as_SymplecticEuler_before_the_phases>>();
+    else
+        return Scene::valid;
+}
+
+} // namespace detail
+
 } // namespace imbibe

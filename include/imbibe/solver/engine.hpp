@@ -217,7 +217,6 @@ private:
                 source.columns[k] = b.column(static_cast<int>(k));
         source.runs = &l.runs;
         source.support = l.support;
-        source.periodic = &this->periodic;
         source.least_distances = LeastDistances<Real, Base::width>(l.support);
         for (int shift = 0; shift < search::image_count<dim>; ++shift)
             for (int d = 0; d < dim; ++d)
@@ -236,8 +235,13 @@ private:
     }
     template <class B, class... F>
     void copy_fields([[maybe_unused]] TypeList<F...> fields) {
-        (this->template state<B>().copy_to_image(State<B>::template offset<F>, components(F::rank, dim), this->threads),
-         ...);
+        (copy_field<B, F>(), ...);
+    }
+    template <class B, class F>
+    void copy_field() {
+        if constexpr (!std::is_same_v<F, Position>) // which are there, as others see them
+            this->template state<B>().copy_to_image(State<B>::template offset<F>, components(F::rank, dim),
+                                                    this->threads);
     }
 };
 

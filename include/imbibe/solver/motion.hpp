@@ -47,16 +47,11 @@ public:
     }
 
     /// Keeps a copy of all that is integrated: positions, velocities, states. For integrators with several stages.
-    void remember() { remember_if<Every>(); }
-    /// The same for the phases with Chosen<P>::value.
-    template <template <class> class Chosen>
-    void remember_if() {
+    void remember() {
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (Chosen<P>::value) {
-                auto& copy = std::get<Kept<P>>(kept).values;
-                copy.resize(s.stride() * static_cast<std::size_t>(component_count<dim, KeptFields<P>>));
-                copy_kept(s, copy, KeptFields<P>{});
-            }
+            auto& copy = std::get<Kept<P>>(kept).values;
+            copy.resize(s.stride() * static_cast<std::size_t>(component_count<dim, KeptFields<P>>));
+            copy_kept(s, copy, KeptFields<P>{});
         });
     }
     /// What was remembered, advanced by dt with the present rates (of positions: the present velocities).
@@ -76,16 +71,19 @@ public:
         });
     }
 
-    /// by * (the present position minus the one that was remembered), into a vector field of phase P; 0 for what is
-    /// held.
+    /// to += by * velocity, a vector field of phase P; nothing for what is held.
     template <class P>
-    void displacement_since_remembered(Real* to, double by) {
+    void add_velocities(Real* to, double by) {
         const auto& s = this->template state<P>();
-        const Real* now = s.field(position);
-        const Real* before = std::get<Kept<P>>(kept).values.data() + kept_offset<P, Position> * s.stride();
+        const Real* v = s.field(velocity);
         for (std::size_t d = 0; d < dim; ++d)
-            for (std::size_t i = d * s.stride(); i < d * s.stride() + static_cast<std::size_t>(s.size()); ++i)
-                to[i] = static_cast<Real>(by) * (now[i] - before[i]);
+            for (int i = 0; i < s.size(); ++i) {
+                Real free = 1;
+                if constexpr (contains<Mobility, FieldsOf<P>>)
+                    free = s.field(mobility)[i];
+                const std::size_t k = d * s.stride() + static_cast<std::size_t>(i);
+                to[k] += static_cast<Real>(by) * free * v[k];
+            }
     }
     /// Keeps a copy of the accelerations, of all that moves.
     void keep_accelerations() { keep_accelerations_if<Every>(); }
@@ -115,16 +113,8 @@ public:
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
             m.acceleration = std::max(m.acceleration, std::sqrt(squared_norm(this->gravity)));
-            if constexpr (contains<Velocity, FieldsOf<P>>) {
-                double most = 0;
-                for (int i = 0; i < s.size(); ++i) {
-                    double v2 = 0;
-                    for (int d = 0; d < dim; ++d)
-                        v2 += sq(static_cast<double>(s.column(State<P>::template offset<Velocity> + d)[i]));
-                    most = std::max(most, v2);
-                }
-                m.speed = std::sqrt(most);
-            }
+            if constexpr (contains<Velocity, FieldsOf<P>>)
+                m.speed = this->greatest_speed(s);
         });
     }
 

@@ -54,6 +54,7 @@ public:
 
     /// In every step: sorts what moves and finds the neighbours of now, if it is due.
     void find_neighbours() {
+        measure_walls();
         ++steps_since_search;
         if (search_is_due(0)) {
             search_neighbours();
@@ -76,8 +77,12 @@ public:
         for (double way : travelled)
             farthest = std::max(farthest, way);
         bool disturbed = false;
-        for_each_phase(
-            [&]<class P>(std::type_identity<P>, const State<P>& s) { disturbed = disturbed || s.disturbed; });
+        for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+            disturbed = disturbed || s.disturbed;
+            if constexpr (!P::moves)
+                if (search_interval > 1 && !s.disturbed) // a host may move it
+                    farthest = std::max(farthest, s.farthest_since());
+        });
         return steps_since_search + ahead >= search_interval || disturbed || !(farthest <= farthest_allowed);
     }
     /// Makes the next search due.
@@ -115,6 +120,8 @@ public:
             s.within_reach = is_near_any<P>(Links{});
             if (s.within_reach)
                 sort(s);
+            if (!P::moves && search_interval > 1)
+                s.remember_places();
             s.disturbed = false;
             s.pad();
         });
@@ -165,9 +172,11 @@ public:
         const auto& a = this->template state<typename L::A>();
         const auto& b = this->template state<typename L::B>();
         if constexpr (L::reference)
-            return {link.runs, a.points_of(reference_position), b.points_of(reference_position), this->periodic, true};
+            return {link.runs, a.points_of(reference_position), b.points_of(reference_position), this->periodic,
+                    nullptr};
         else // a total-Lagrangian phase is not wrapped
-            return {link.runs, a.points(), seen_points(b), this->periodic, State<typename L::A>::keeps_reference};
+            return {link.runs, a.points(), seen_points(b), this->periodic,
+                    State<typename L::A>::keeps_reference && this->any_periodic() ? &a.periods_outside : nullptr};
     }
     /// Calls f(link) with the link of a coupling, if it has one. The link the other way round, which it may have as
     /// well, has the same pairs.
@@ -204,14 +213,31 @@ protected:
     /// Brings the positions in the copy through which others see a total-Lagrangian phase up to date, if any can.
     template <class S>
     void copy_places_to_image(S& s) {
-        if (!s.within_reach)
-            return;
-        s.copy_to_image(S::template offset<Position>, dim, this->threads);
-        for (int d = 0; d < dim; ++d)
-            wrap_column(s.image_column(S::template offset<Position> + d), s.size(), d);
+        if (s.within_reach)
+            s.copy_places_to_image(this->threads);
+    }
+
+    /// The greatest speed of the particles of a phase that has velocities, m/s.
+    template <class S>
+    static double greatest_speed(const S& s) {
+        double most = 0;
+        for (int i = 0; i < s.size(); ++i) {
+            double v2 = 0;
+            for (int d = 0; d < dim; ++d)
+                v2 += sq(static_cast<double>(s.column(S::template offset<Velocity> + d)[i]));
+            most = std::max(most, v2);
+        }
+        return std::sqrt(most);
     }
 
 private:
+    // A host may have changed the velocities of walls, which no term changes, since the last step.
+    void measure_walls() {
+        for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+            if constexpr (!P::moves && contains<Velocity, typename Base::template FieldsOf<P>>)
+                this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)].speed = greatest_speed(s);
+        });
+    }
     template <class C, class... Term>
     static constexpr bool wants_nearest(TypeList<Term...>) {
         return (asks_for_nearest<typename Unwrapped<Term>::type> || ...);
@@ -307,6 +333,7 @@ private:
             s.image_order.resize(static_cast<std::size_t>(s.size()));
             for (std::size_t i = 0; i < s.image_order.size(); ++i)
                 s.image_order[i] = static_cast<std::uint32_t>(i);
+            s.note_periods(this->periodic);
             copy_places_to_image(s);
             if (!s.table.sort(grid, s.image_points(), this->threads)) {
                 s.image_order = s.table.order();

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace imbibe::detail {
 
@@ -16,11 +17,14 @@ namespace imbibe::detail {
 template <int dim, class Real, int width>
 class PairDistances {
 public:
+    using Outside = std::array<std::vector<Real>, static_cast<std::size_t>(dim)>;
     /// @param targets the particles whose neighbours are listed, and @param sources those that the list counts
-    /// @param wraps do the places of the targets have to be moved into the periodic box, as they were for the search?
+    /// @param outside how far each target was outside the periodic box at the search, m, by direction and target; null
+    /// where all were inside
     PairDistances(const search::RunList& runs, const search::Points<dim, Real>& targets,
-                  const search::Points<dim, Real>& sources, const search::Periodic<dim>& periodic, bool wraps)
-        : runs_(runs), targets_(targets), sources_(sources), periodic_(periodic), wraps_(wraps) {}
+                  const search::Points<dim, Real>& sources, const search::Periodic<dim>& periodic,
+                  const Outside* outside)
+        : runs_(runs), targets_(targets), sources_(sources), periodic_(periodic), outside_(outside) {}
 
     /// The distance of the nearest pair, m; infinite where there is none.
     double nearest(int threads) const {
@@ -83,7 +87,7 @@ private:
     const search::RunList& runs_;
     search::Points<dim, Real> targets_, sources_;
     const search::Periodic<dim>& periodic_;
-    bool wraps_;
+    const Outside* outside_;
 
     // Calls f(source, distance^2) for every source in the runs of target i.
     template <class F>
@@ -104,8 +108,7 @@ private:
         const Real length = static_cast<Real>(periodic_.length[k]), here = targets_.x[k][i];
         if (length == 0)
             return here;
-        // What has left the box since the search is seen from where it was.
-        const Real at = wraps_ ? search::into_period(here, static_cast<Real>(periodic_.lower[k]), length) : here;
+        const Real at = outside_ != nullptr ? here - (*outside_)[k][static_cast<std::size_t>(i)] : here;
         return at - static_cast<Real>(search::image_step(image, d)) * length;
     }
 };

@@ -6,7 +6,9 @@
 #include <imbibe/core/phase.hpp>
 #include <imbibe/geometry/point.hpp>
 
+#include <cmath>
 #include <string>
+#include <type_traits>
 
 namespace imbibe::detail {
 
@@ -78,6 +80,91 @@ std::string warning_of_overlap(const Link& link, const Engine& engine, const Ori
                 " of their mean spacing, at ", point_text<Engine::dimension>(place), ". What pushes them apart may throw them; half a ",
                 "spacing from face to face is usual. `fill(a - b, spacing)` and `remove_if` leave out what is in the ",
                 "other's way");
+}
+
+/// Does one of some couplings tie phases A and B together?
+template <class A, class B, class... C>
+constexpr bool are_coupled(TypeList<C...>) {
+    return (((std::is_same_v<A, typename C::First> && std::is_same_v<B, typename C::Second>) ||
+             (std::is_same_v<B, typename C::First> && std::is_same_v<A, typename C::Second>)) ||
+            ...);
+}
+
+/// A sentence if a fluid lies beside a phase that does not move and is not coupled to it, or an empty one.
+/// @param engine after a search
+template <class A, class B, class Couplings, class Engine>
+std::string warning_of_no_coupling(const Engine& engine) {
+    if constexpr (is_fluid<A> && !B::moves && !are_coupled<A, B>(Couplings{}))
+        if (!engine.template are_apart<A, B>())
+            return text(type_name<B>(), " is within reach of ", type_name<A>(), ", which does not see it: the two have ",
+                        "no coupling. List one in the solver, as in struct Sides : Coupling<", type_name<A>(), ", ",
+                        type_name<B>(), ", ...>");
+    return {};
+}
+
+/// A sentence if a fluid is compressed by a twentieth under its own weight, or an empty one.
+/// @param engine after a search
+template <class P, class Engine>
+std::string warning_of_soft_fluid(const Engine& engine) {
+    if constexpr (is_fluid<P>) {
+        const auto& s = engine.template state<P>();
+        double potential = 0; // of the highest particle over the lowest, m^2/s^2
+        for (std::size_t d = 0; d < static_cast<std::size_t>(Engine::dimension) && s.size() > 0; ++d)
+            if (engine.periodic.length[d] == 0)
+                potential += std::abs(engine.gravity[static_cast<int>(d)]) * (s.bounds.upper[d] - s.bounds.lower[d]);
+        if (const double share = potential / sq(s.material.sound_speed); share > 0.05)
+            return text(type_name<P>(), ": with a sound speed of ", s.material.sound_speed, " m/s its weight alone ",
+                        "compresses it by ", 100 * share, " % at the bottom; ", std::sqrt(200 * potential),
+                        " m/s, ten times the speed of a fall from top to bottom, is usual");
+    }
+    return {};
+}
+
+/// A sentence if the sums of a fluid over another phase reach further than those over itself, or an empty one.
+template <class C, class Engine>
+std::string warning_of_other_support(const Engine& engine) {
+    const auto one = [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) -> std::string {
+        if constexpr (is_fluid<A>) {
+            const auto& a = engine.template state<A>();
+            const auto& b = engine.template state<B>();
+            const double own = a.material.support_radius, other = b.material.support_radius;
+            if (a.size() > 0 && b.size() > 0 && own < other * (1 - 1e-9))
+                return text(type_name<A>(), "'s sums reach ", other, " m over ", type_name<B>(), ", the greater of the ",
+                            "two support radii, and ", own, " m over itself, so that pushes from both sides do not ",
+                            "cancel; give ", type_name<B>(), " a support_radius that is not greater");
+        }
+        return {};
+    };
+    using First = typename C::First;
+    using Second = typename C::Second;
+    const std::string sentence = one(std::type_identity<First>{}, std::type_identity<Second>{});
+    return sentence.empty() ? one(std::type_identity<Second>{}, std::type_identity<First>{}) : sentence;
+}
+
+/// Throws Error if two couplings give different coefficients to one part of one phase, which both ask for.
+template <class P, class Term, class C, class D>
+void check_shared(const C& one, const D& other) {
+    if constexpr (requires { typename Term::Parameters; }) {
+        using Parameters = typename Term::Parameters;
+        if constexpr (requires(const Parameters& p) { p == p; })
+            require(one.coefficients.template get<Parameters>() == other.coefficients.template get<Parameters>(),
+                    type_name<C>(), " and ", type_name<D>(), " give ", type_name<P>(), " different ",
+                    type_name<Parameters>(), ", and both count in one ", type_name<Term>(),
+                    "; set the same in both couplings");
+    }
+}
+/// The same for all terms of two couplings.
+template <class C, class D, class... TermC>
+void check_shared_parts(const C& one, const D& other, TypeList<TermC...>) {
+    [[maybe_unused]] const auto check = [&]<class P, class Term>(std::type_identity<Into<P, Term>>) {
+        if constexpr (contains<Into<P, Term>, typename D::terms>)
+            check_shared<P, Term>(one, other);
+    };
+    [[maybe_unused]] const auto each = [&]<class T>(std::type_identity<T> term) {
+        if constexpr (!std::is_same_v<T, typename Unwrapped<T>::type>)
+            check(term);
+    };
+    (each(std::type_identity<TermC>{}), ...);
 }
 
 } // namespace imbibe::detail

@@ -28,7 +28,7 @@ public:
     /// What the compiler worked out: fields, rows, plans.
     using Scene = Composition<dim, Items...>;
     static_assert(dim == 2 || dim == 3, "imbibe: a scene has 2 or 3 dimensions");
-    static_assert(Scene::valid || true); // it says by itself what is wrong, once
+    static_assert(detail::check_scene<Integrator_, Scene>() || true); // it says by itself what is wrong, once
 
     /// The type of all stored numbers.
     using Real = Real_;
@@ -180,13 +180,24 @@ public:
         engine_.for_each_phase([&](auto, const auto& s) { n += s.size(); });
         return n;
     }
-    /// What deserves a look but is no error, found while particles were added and before the first step.
+    /// What deserves a look but is no error, found while particles were added and before the first step. Progress
+    /// and `describe` show it.
     const std::vector<std::string>& warnings() const { return warnings_; }
     /// For parts of the library that need more than views.
     const Engine& engine() const { return engine_; }
 
     // ---- running it ----
 
+    /// Changes gravity from now on, m/s^2: for a tank that is shaken or tilted, in the frame of the tank.
+    /// @throws Error for a component that is not finite; gravity is then as it was
+    void set_gravity(const std::array<double, static_cast<std::size_t>(dim)>& gravity) {
+        Settings<dim> changed = settings_;
+        changed.gravity = gravity;
+        changed.check();
+        settings_ = changed;
+        for (std::size_t d = 0; d < dim; ++d)
+            engine_.gravity[static_cast<int>(d)] = gravity[d];
+    }
     /// All limits on the next step, without the CFL number, shortest first.
     std::vector<TimeStepLimit> time_step_limits() const;
     /// Is a step made of shorter ones of one phase (time/subcycled.hpp) or of some terms (time/dual_stepping.hpp)?
@@ -200,6 +211,9 @@ public:
         if (settings_.time_step > 0)
             return {settings_.time_step, "fixed", "settings"};
         const auto limits = time_step_limits();
+        if (!limits.empty() && limits.front().seconds == 0)
+            throw Error(text("the limit on the time step by ", limits.front().reason, " (", limits.front().where,
+                             ") is 0 s: a speed, an acceleration or a coefficient is infinite"));
         TimeStepLimit least{settings_.max_time_step, "max_time_step", "settings"};
         if (!limits.empty() && settings_.cfl * limits.front().seconds < least.seconds) {
             least = limits.front();
@@ -227,15 +241,21 @@ public:
         prepare();
         take({seconds, "given", "caller"});
     }
-    /// Steps until `end`, s, and calls every observer with the scene before the first step and after each one.
+    /// Steps until `end`, s, and calls every observer with the scene before the first step and after each one. The last
+    /// step ends there; it is up to a millionth longer than the limits allow where else such a rest would be left.
+    /// @throws Error for an end that is no number, and what observers throw
     template <class... Observers>
     void run_until(double end, Observers&&... observers) {
+        require(!std::isnan(end), "run_until(", end, "): the end of the run must be a number of seconds");
         prepare();
         (observers(*this), ...);
         while (time_ < end * (1 - 1e-12)) {
             TimeStepLimit chosen = next_step();
-            if (time_ + chosen.seconds > end)
-                chosen = {end - time_, "end of run", "caller"};
+            const double left = end - time_;
+            if (left < chosen.seconds * (1 - 1e-6))
+                chosen = {left, "end of run", "caller"};
+            else if (left < chosen.seconds * (1 + 1e-6))
+                chosen.seconds = left;
             take(chosen);
             (observers(*this), ...);
         }
@@ -252,7 +272,7 @@ public:
         });
     }
     /// For checkpoints (output/checkpoint.hpp): hands everything that makes up the state of the scene to `archive`,
-    /// which writes it or reads it back, in the order of this function.
+    /// which writes it or reads it back, in the order of this function. Particles are sorted, so views end here.
     template <class Archive>
     void archive(Archive& archive) {
         if constexpr (Archive::reading) {
@@ -267,14 +287,15 @@ public:
         archive(last_step_.where);
         if constexpr (Archive::reading) {
             engine_.find_reference_neighbours();
-            engine_.search_neighbours();
             prepared_ = true;
         }
-        engine_.forget_neighbours(); // so that this run and one that is continued from here stay the same
+        // Both sort here, and search at the next step: so this run and one that is continued from here stay the same.
+        engine_.search_neighbours();
+        engine_.forget_neighbours();
         engine_.archive_motion(archive);
     }
     /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
-    /// by itself.
+    /// by itself, and looks once more at what was changed since.
     /// @throws Error for a scene without particles or coefficients out of range
     void prepare();
 
@@ -303,8 +324,7 @@ private:
     template <class I>
     static constexpr bool check_integrator() {
         if constexpr (detail::IsPhase<I> || detail::IsCoupling<I>)
-            return detail::break_rule<
-                rules::NoIntegrator<I, put_an_integrator_such_as_SymplecticEuler_before_the_phases>>();
+            return false; // an error of its own
         else if constexpr (requires { typename I::Fast; })
             return in_the_scene<typename I::Fast, Phases, list_the_phase_in_the_solver>();
         else if constexpr (requires { typename I::Slow; })
@@ -352,13 +372,21 @@ private:
             }
         return places;
     }
-    // New places among themselves and against the particles the phase has already.
+    // New places among themselves and against the particles the phase has already, also across periodic sides.
     template <class S>
     void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing,
                              const std::string& name) const {
         std::vector<Point> all = points;
         for (int i = 0; i < s.size(); ++i)
             all.push_back(place_of(s, i));
+        for (int d = 0; d < dim; ++d) {
+            const auto axis = static_cast<std::size_t>(d);
+            const double length = settings_.periodic_length[axis], lower = engine_.periodic.lower[axis];
+            if (length > 0)
+                for (std::size_t k = 0, n = all.size(); k < n; ++k)
+                    if (all[k][d] < lower + 1e-3 * spacing)
+                        all.push_back(all[k] + length * Point::Unit(d));
+        }
         try {
             require_distinct<dim>(all, spacing);
         } catch (const Error& error) {
@@ -377,8 +405,13 @@ private:
             detail::check_terms<P>(s.material, typename P::terms{});
     }
     template <class... C>
-    void check_couplings(TypeList<C...>) const {
+    void check_couplings(TypeList<C...> all) const {
         (detail::check_terms<C>(coupling<C>(), typename C::terms{}), ...);
+        (check_shared_with<C>(all), ...);
+    }
+    template <class C, class... D>
+    void check_shared_with(TypeList<D...>) const {
+        (detail::check_shared_parts(coupling<C>(), coupling<D>(), typename C::terms{}), ...);
     }
 
     // A particle's place as it is stored, and in the coordinates of the world.
@@ -405,6 +438,20 @@ private:
         (engine_.template with_link_of<C>(
              [&](const auto& link) { note(detail::warning_of_overlap(link, engine_, settings_.origin)); }),
          ...);
+    }
+    template <class... P, class... C>
+    void note_doubts(TypeList<P...>, TypeList<C...> couplings) {
+        const auto check = [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
+            note(detail::warning_of_no_coupling<A, B, TypeList<C...>>(engine_));
+        };
+        const auto check_phase = [&]<class A>(std::type_identity<A> phase) {
+            if (engine_.template state<A>().size() == 0)
+                note(text(detail::type_name<A>(), " has no particles; was scene.add forgotten?"));
+            note(detail::warning_of_soft_fluid<A>(engine_));
+            (check(phase, std::type_identity<P>{}), ...);
+        };
+        (check_phase(std::type_identity<P>{}), ...);
+        (note(detail::warning_of_other_support<C>(engine_)), ...);
     }
     void note(const std::string& sentence) {
         if (!sentence.empty() && std::find(warnings_.begin(), warnings_.end(), sentence) == warnings_.end())
@@ -445,8 +492,9 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
     require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
             " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
     for (double length : settings_.periodic_length)
-        require(length == 0 || length >= support, name, ": support_radius = ", support,
-                " m is longer than a period of ", length, " m; a particle would see its neighbours twice");
+        require(length == 0 || length >= engine_.reach_of(support), name, ": support_radius = ", support,
+                " m, with its skin ", engine_.reach_of(support), " m, is longer than a period of ", length,
+                " m; a particle would see its neighbours twice");
     for (std::size_t k = 0; k < points.size(); ++k)
         for (int d = 0; d < dim; ++d)
             require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
@@ -457,6 +505,9 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
     require(s.size() == 0 || s.material.density == material.density, name, ": particles were added with density ",
             s.material.density, " kg/m^3 before and ", material.density,
             " kg/m^3 now; use a second phase for a second material");
+    require(s.size() == 0 || s.material.sound_speed == material.sound_speed, name,
+            ": particles were added with a sound speed of ", s.material.sound_speed, " m/s before and ",
+            material.sound_speed, " m/s now; use a second phase for a second material");
     const std::vector<Point> places = stored_places(points);
     require_distinct_in(s, places, spacing, name);
     if (s.size() == 0) {
@@ -493,20 +544,32 @@ std::vector<TimeStepLimit> Solver<dim, Real_, Integrator, Items...>::time_step_l
 
 template <int dim, class Real_, class Integrator, class... Items>
 void Solver<dim, Real_, Integrator, Items...>::prepare() {
-    if (prepared_)
+    if (prepared_ && steps_ > 0)
         return;
-    require(particles() > 0, "the scene has no particles; add some before the first step");
-    check_phases(Phases{});
-    check_couplings(Couplings{});
-    engine_.find_reference_neighbours();
+    if (!prepared_) {
+        require(particles() > 0, "the scene has no particles; add some before the first step");
+        check_phases(Phases{});
+        check_couplings(Couplings{});
+        engine_.find_reference_neighbours();
+    }
     engine_.search_neighbours();
-    if (steps_ == 0) // what is added to a run comes where there is room, or motion has brought the two together
-        note_overlaps(Couplings{});
-    engine_.template run<typename Scene::Once>(0);
+    if (!prepared_) {
+        if (steps_ == 0) { // what is added to a run comes where there is room, or motion has brought the two together
+            note_overlaps(Couplings{});
+            note_doubts(Phases{}, Couplings{});
+        }
+        engine_.template run<typename Scene::Once>(0);
+    }
     if constexpr (steps_are_defined && requires { Integrator::start(engine_); })
         Integrator::start(engine_);
     engine_.measure_motion();
     prepared_ = true;
+    if (settings_.time_step > 0 && steps_ == 0)
+        if (const auto limits = time_step_limits();
+            !limits.empty() && limits.front().seconds < settings_.time_step * (1 - 1e-9))
+            note(text("the fixed time step of ", settings_.time_step, " s is longer than the longest stable one, ",
+                      limits.front().seconds, " s by ", limits.front().reason, " (", limits.front().where,
+                      "); with time_step = 0 steps adapt to the limits"));
 }
 
 template <int dim, class Real_, class Integrator, class... Items>

@@ -122,7 +122,53 @@ public:
     /// numbers in any formula (a density of zero is not): copies of the last particle. To be called after writing.
     void pad() { pad(values); }
 
+    // ---- places at the last search, of a phase that only a host moves ----
+    /// Keeps a copy of the positions.
+    void remember_places() { places_then.assign(column(offset<Position>), column(offset<Position>) + dim * step); }
+    /// How far the particle is that has moved farthest since, m.
+    double farthest_since() const {
+        double farthest2 = 0;
+        for (int i = 0; i < n; ++i) {
+            double way2 = 0;
+            for (std::size_t k = static_cast<std::size_t>(i); k < dim * step; k += step)
+                way2 += sq(static_cast<double>(column(offset<Position>)[k]) - static_cast<double>(places_then[k]));
+            farthest2 = way2 <= farthest2 ? farthest2 : way2; // also where it is no number
+        }
+        return std::sqrt(farthest2);
+    }
+
     // ---- the sorted copy through which others see a phase that keeps its reference order ----
+    /// Notes how far each particle is outside the periodic box, in whole periods, at a search: until the next one it is
+    /// seen that far from where it is, whatever sides it crosses meanwhile, for so its neighbours were found.
+    void note_periods(const search::Periodic<dim>& periodic) {
+        for (std::size_t d = 0; d < dim; ++d) {
+            auto& outside = periods_outside[d];
+            outside.clear();
+            if (periodic.length[d] == 0)
+                continue;
+            const Real low = static_cast<Real>(periodic.lower[d]), length = static_cast<Real>(periodic.length[d]);
+            const Real* x = column(offset<Position> + static_cast<int>(d));
+            outside.resize(static_cast<std::size_t>(n));
+            for (std::size_t i = 0; i < outside.size(); ++i)
+                outside[i] = length * std::round((x[i] - search::into_period(x[i], low, length)) / length);
+        }
+    }
+    /// Where others see coordinate d of particle i, if the phase keeps its reference order, m.
+    IMBIBE_INLINE Real seen_at(int d, int i) const {
+        const Real x = column(offset<Position> + d)[i];
+        const auto& outside = periods_outside[static_cast<std::size_t>(d)];
+        return outside.empty() ? x : x - outside[static_cast<std::size_t>(i)];
+    }
+    /// Brings the positions in the copy up to date.
+    void copy_places_to_image(int threads) {
+        copy_to_image(offset<Position>, dim, threads);
+        for (std::size_t d = 0; d < dim; ++d) {
+            Real* x = image_column(offset<Position> + static_cast<int>(d));
+            for (std::size_t k = 0; k < periods_outside[d].size(); ++k)
+                x[k] -= periods_outside[d][image_order[k]];
+        }
+        pad(image);
+    }
     /// Copies components [first, first + count) into the copy, in the order of the cell table.
     void copy_to_image(int first, int count, int threads) {
         image.resize(values.size());
@@ -142,14 +188,19 @@ public:
         return image.empty() ? nullptr : image.data() + static_cast<std::size_t>(k) * step;
     }
 
+    /// periods_outside[d][i]: see note_periods, m; empty for a direction that is not periodic.
+    std::array<std::vector<Real>, static_cast<std::size_t>(dim)> periods_outside;
+
     search::CellTable table;                ///< of the present positions
     std::vector<std::uint32_t> image_order; ///< image[k] is particle image_order[k]
     search::Bounds<dim> bounds;
     bool within_reach = true; ///< of any other, at the last search? If not, the copy and the table are not kept up
     bool disturbed = true;    ///< were particles added or removed since their neighbours were found?
     std::size_t bytes() const {
-        return (values.capacity() + spare.capacity() + image.capacity()) * sizeof(Real) +
-               ids.capacity() * sizeof(std::uint32_t);
+        std::size_t numbers = values.capacity() + spare.capacity() + image.capacity() + places_then.capacity();
+        for (const auto& outside : periods_outside)
+            numbers += outside.capacity();
+        return numbers * sizeof(Real) + ids.capacity() * sizeof(std::uint32_t);
     }
 
     /// Bytes that `archive` writes or reads for one particle.
@@ -200,6 +251,7 @@ private:
     std::size_t step = 0;
     std::uint32_t next_id = 0;
     AlignedVector<Real> values, spare, image;
+    std::vector<Real> places_then;
 };
 
 } // namespace imbibe::detail

@@ -30,7 +30,7 @@ struct NeighbourView {
     std::size_t first; ///< the number of the first
     const P& material;
     const Vector<double, dim>& gravity_now;
-    const Vector<Real, dim>& image; ///< displacement of the periodic image through which they are seen
+    const Vector<Real, dim>& image; ///< displacement of the periodic image through which they are seen, m
 
     template <class F>
     IMBIBE_INLINE auto operator[](F) const {
@@ -197,7 +197,6 @@ struct SourceData {
     Columns<dim, List, Real> columns;
     const search::RunList* runs;
     double support;
-    const search::Periodic<dim>* periodic;
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
     LeastDistances<Real, width> least_distances;
 };
@@ -261,16 +260,20 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     else if (own_runs.is_empty())
         return;
     own_runs.for_each_image([&](const search::Run* run, const search::Run* end, int through) IMBIBE_INLINE_LAMBDA {
-        const Vector<Real, dim>& image = source.images[static_cast<std::size_t>(through)];
+        // Such a phase is not wrapped, but its runs were found as if it were.
+        constexpr bool seen_elsewhere = PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference;
+        std::conditional_t<seen_elsewhere, Vector<Real, dim>, const Vector<Real, dim>&> image =
+            source.images[static_cast<std::size_t>(through)];
         Vector<T, dim> place; // of the particle, as seen through the image
         for (int d = 0; d < dim; ++d) {
-            Real x = state.column(place_a + d)[i];
-            // Such a phase is not wrapped, but its runs were found as if it were.
-            if constexpr (PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference)
-                if (const auto e = static_cast<std::size_t>(d); source.periodic->length[e] > 0)
-                    x = search::into_period(x, static_cast<Real>(source.periodic->lower[e]),
-                                            static_cast<Real>(source.periodic->length[e]));
-            place[d] = T(x - image[d]);
+            const Real x = state.column(place_a + d)[i];
+            if constexpr (seen_elsewhere) {
+                const Real seen = state.seen_at(d, i);
+                place[d] = T(seen - image[d]);
+                image[d] += x - seen; // so that positions differ by the offset
+            } else {
+                place[d] = T(x - image[d]);
+            }
         }
         do {
             const std::size_t first = run->first();

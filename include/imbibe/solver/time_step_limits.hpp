@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,7 +149,7 @@ private:
                 seconds = Term::time_step_limit(materials..., in, parameters);
         }
         if constexpr (requires { Term::limit_name; })
-            if (seconds > 0)
+            if (seconds >= 0 && seconds < std::numeric_limits<double>::infinity())
                 add(seconds, Term::limit_name, type_name<Where>());
     }
 };

@@ -84,15 +84,16 @@ struct Subcycled {
         engine.template kick_if<IsOther>(dt);
         engine.template drift_if<IsOther>(dt);
 
-        engine.template remember_if<IsFast>();
+        auto* const mean = fast.field(mean_velocity);
+        std::fill_n(mean, Engine::dimension * fast.stride(), std::remove_pointer_t<decltype(fast.field(mean_velocity))>(0));
         engine.template keep_accelerations_if<IsFast>(); // by couplings and gravity
         for (int k = 0; k < substeps; ++k) {
             engine.template restore_accelerations_if<IsFast>();
             engine.template run<typename Composition::template OwnTerms<Fast>>(dt / substeps);
             engine.template kick_if<IsFast>(dt / substeps);
             engine.template drift_if<IsFast>(dt / substeps);
+            engine.template add_velocities<Fast>(mean, 1.0 / substeps);
         }
-        engine.template displacement_since_remembered<Fast>(fast.field(mean_velocity), 1 / dt);
     }
 
 private:

@@ -23,6 +23,9 @@ struct PressureExtrapolationParameters {
     /// May the wall pull? If not, its pressure is clipped at zero, and the fluid can leave it. Only together with
     /// DensityFloor: clipping alone lets the fluid swell without end.
     bool suction = true;
+
+    /// Are the two the same?
+    bool operator==(const PressureExtrapolationParameters&) const = default;
 };
 
 /// p_a = sum_f (p_f + rho_f g.(x_a - x_f)) W_af / sum_f W_af, in Pa, for a particle a of a wall or a solid and the
@@ -30,7 +33,7 @@ struct PressureExtrapolationParameters {
 ///
 /// Goes into the wall or the solid: `Coupling<Water, Wall, Into<Wall, PressureExtrapolation<>>, VolumePressure<>,
 /// Into<Water, VolumeContinuity<WendlandC2>>>`. Exact for still water, above, below and beside it. With several fluids
-/// one coupling each; their sums are added before the division.
+/// one coupling each, with the same coefficients; their sums are added before the division.
 ///
 /// Not for a solid that has an equation of state: that sets `pressure` already. Not exact for a solid that accelerates
 /// as fast as the water falls: of the source's g - a_wall only g is taken, which is right for still walls and for
