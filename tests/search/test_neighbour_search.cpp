@@ -158,6 +158,23 @@ TEST_CASE("Neighbours of points a kilometre apart take no memory between them", 
         CHECK(search.count(set, i) == 3);
 }
 
+TEST_CASE("One point very far away makes cells long, and nobody loses a neighbour", "[search]") {
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> place(-5, 5);
+    for (const double far : {1e3, 1e8, 1e9, 1e12})
+        for (const int axis : {0, 1}) {
+            Matrix<2, double> x(400, 2);
+            for (int i = 0; i < 400; ++i)
+                x.row(i) << place(generator), place(generator);
+            x(0, axis) = far;
+            NeighbourSearch<2, double> search(1.0);
+            const int set = search.add(x);
+            search.update();
+            for (int i = 0; i < 400; ++i)
+                REQUIRE(search.count(set, i) == ((x.rowwise() - x.row(i)).rowwise().squaredNorm().array() < 1).count() - 1);
+        }
+}
+
 TEST_CASE("Bad input to the neighbour search is refused by name", "[search]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {0.0, -1.0, nan})

@@ -3,6 +3,9 @@
 
 #include <catch_shim.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace neighbours_test {
 
 namespace {
@@ -399,6 +402,9 @@ TEST_CASE("Coordinates come back into their period", "[search]") {
     const float y = into_period(0.1f - 1e-9f, 0.1f, 0.7f);
     CHECK(y >= 0.1f);
     CHECK(y < 0.1f + 0.7f);
+    // What is no place does not become one.
+    for (double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        CHECK(!std::isfinite(into_period(none, 0.0, 1.0)));
 }
 
 TEST_CASE("A coordinate that is not finite is found", "[search]") {

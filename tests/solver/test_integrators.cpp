@@ -208,6 +208,19 @@ TEST_CASE("Sub-cycling conserves momentum, takes long steps, and comes to the sa
     CHECK((mean_plain - mean_cycled).norm() < 0.01 * mean_plain.norm());
 }
 
+TEST_CASE("A step that is cut off does not spoil the mean velocity of the fast phase, in float either",
+          "[integrators]") {
+    sph::Solver<2, float, sph::Subcycled<Rubber>, Rubber> scene({.support_radius = 2.6 * spacing});
+    const auto rubber = scene.add(Rubber{{.density = 1000, .sound_speed = 10, .shear_modulus = 3e4}},
+                                  sph::fill(sph::Box<2>{{5, 5}, {5.6, 5.4}}, spacing), spacing);
+    scene[rubber][velocity].rowwise() = Eigen::RowVector2f(1, -2);
+    for (const double dt : {5e-4, 1e-6, 1e-9}) {
+        scene.step(dt);
+        const auto mean = scene[rubber][sph::mean_velocity];
+        CHECK((mean.rowwise() - Eigen::RowVector2f(1, -2)).cwiseAbs().maxCoeff() < 1e-5f);
+    }
+}
+
 namespace {
 
 struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::DensityDiffusion<C2>,

@@ -101,7 +101,8 @@ struct Fluid {
     double density = required;      ///< reference density rho_0, kg/m^3
     double sound_speed = required;  ///< speed of sound c in the equation of state, m/s; ten times the greatest speed
     double viscosity = 0;           ///< dynamic viscosity eta, Pa s
-    double support_radius = 0;      ///< H of this phase, m; 0: the scene's
+    double support_radius = 0;      ///< H of this phase, m; 0: the scene's. Sums over another phase reach the greater
+                                    ///< H of the two, so what a fluid is coupled to should not have a greater one
     double spacing = 0;             ///< particle spacing, m; set when particles are added
     Coefficients<Terms...> coefficients{};
 
@@ -166,7 +167,8 @@ struct Solid {
     }
 };
 
-/// A wall: particles that do not move, with the terms they need to push on a fluid.
+/// A wall: particles that no force moves, with the terms they need to push on a fluid. A program may move them: it
+/// writes both positions and velocities in every step, for the fluid's pressure follows from the velocities.
 template <class... Terms>
 struct Wall {
     using terms = TypeList<Terms...>;

@@ -4,7 +4,9 @@
 // `using parts = Parts<...>`. A part is
 //   - a particle function  (a) -> values, with `reads`, and `sets` and/or `adds`, or
 //   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`.
-// Besides its fields a particle has `material`, `gravity()` and `time_step`, the length of the step that is taken, s.
+// Besides its fields a particle has `material`, `gravity()` and `time_step`, s: by how much states are advanced with the
+// rates that are being computed; 0 for what is computed once, and where an integrator does not advance them by these
+// rates alone (MidpointRungeKutta, PredictorCorrector).
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
 // `static constexpr bool once = true;` (evaluated when the particles are added, not in every step), and, of a particle
 // function, `static constexpr bool in_packs = true;`: like a pair function it asks nothing of its numbers by `if`, so

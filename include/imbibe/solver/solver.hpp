@@ -405,7 +405,7 @@ private:
             detail::check_terms<P>(s.material, typename P::terms{});
     }
     template <class... C>
-    void check_couplings(TypeList<C...> all) const {
+    void check_couplings([[maybe_unused]] TypeList<C...> all) const {
         (detail::check_terms<C>(coupling<C>(), typename C::terms{}), ...);
         (check_shared_with<C>(all), ...);
     }
@@ -440,7 +440,7 @@ private:
          ...);
     }
     template <class... P, class... C>
-    void note_doubts(TypeList<P...>, TypeList<C...> couplings) {
+    void note_doubts(TypeList<P...>, TypeList<C...>) {
         const auto check = [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
             note(detail::warning_of_no_coupling<A, B, TypeList<C...>>(engine_));
         };

@@ -24,9 +24,9 @@ struct MidpointRungeKutta {
         using Rates = typename Engine::Composition::Rates;
         engine.find_neighbours();
         engine.remember();
-        engine.template run<Rates>(dt);
+        engine.template run<Rates>(0);
         engine.advance_remembered(dt / 2);
-        engine.template run<Rates>(dt);
+        engine.template run<Rates>(0);
         engine.advance_remembered(dt);
     }
 };

@@ -26,7 +26,7 @@ struct PredictorCorrector {
         engine.find_neighbours();
         engine.remember();
         engine.advance_remembered(dt / 2);
-        engine.template run<typename Engine::Composition::Rates>(dt);
+        engine.template run<typename Engine::Composition::Rates>(0);
         engine.advance_remembered(dt);
     }
 };

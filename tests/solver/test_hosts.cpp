@@ -1,0 +1,219 @@
+// What a host does to a scene between steps is seen: walls that it moves, fields and gravity that it sets, numbers that
+// are none; and what is doubtful about a scene is said before it runs.
+#include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/morris_viscosity.hpp>
+#include <imbibe/fluid/symmetric_pressure.hpp>
+#include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/geometry/box.hpp>
+#include <imbibe/geometry/fill.hpp>
+#include <imbibe/kernels/wendland.hpp>
+#include <imbibe/solver/solver.hpp>
+#include <imbibe/state/linear_state.hpp>
+#include <imbibe/time/leapfrog.hpp>
+#include <imbibe/time/predictor_corrector.hpp>
+#include <imbibe/time/symplectic_euler.hpp>
+#include <imbibe/wall/no_slip.hpp>
+#include <imbibe/wall/pressure_extrapolation.hpp>
+
+#include <catch_shim.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace hosts_test {
+
+namespace sph = imbibe;
+using K = sph::WendlandC2;
+constexpr double dx = 0.05, nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
+struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
+struct Tank : sph::Wall<> {};
+template <class Liquid>
+struct Sides : sph::Coupling<Liquid, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                             sph::Into<Liquid, sph::VolumeContinuity<K>>> {};
+const Water water{{.density = 1000, .sound_speed = 10}};
+
+using Pool = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Sides<Water>>;
+
+sph::Settings<2> settings(int interval = 1, double skin = 0) {
+    return {.support_radius = 2.6 * dx, .search_interval = interval, .search_skin = skin, .threads = 1};
+}
+std::vector<sph::Point<2>> block(double x, double y, double width, double height) {
+    return sph::fill(sph::Box<2>{{x, y}, {x + width, y + height}}, dx);
+}
+
+/// The water's mean velocity after a wall that was out of its reach has been driven into it.
+double pushed(int interval, double skin) {
+    Pool scene(settings(interval, skin));
+    const auto pool = scene.add(water, block(0, 0, 0.5, 0.3), dx);
+    const auto wall = scene.add(Tank{{.density = 1000}}, block(-0.35, 0, 0.15, 0.3), dx);
+    for (int k = 0; k < 300; ++k) {
+        scene[wall][sph::position].col(0).array() += 1e-3;
+        scene[wall][sph::velocity].col(0).setConstant(1);
+        scene.step(1e-3);
+    }
+    return scene[pool][sph::velocity].col(0).mean();
+}
+
+TEST_CASE("A wall that the host moves is found by lists that may serve many steps", "[hosts]") {
+    const double known = pushed(1, 0);
+    CHECK(known > 0.3);
+    CHECK(pushed(1000, 0.1) == Approx(known).epsilon(1e-9)); // nothing is missed
+    CHECK(pushed(1000, 0) == Approx(known).epsilon(0.02));   // but what is at the rim of the support
+}
+
+struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
+struct Sticky : sph::Coupling<Syrup, Tank, sph::Into<Tank, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
+
+TEST_CASE("The speed of a wall counts in limits as soon as the host has set it", "[hosts]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Syrup, Tank, Sticky> scene(settings());
+    scene.add(Syrup{{.density = 1000, .sound_speed = 10, .viscosity = 1}}, block(0, 0, 0.3, 0.3), dx);
+    const auto wall = scene.add(Tank{{.density = 1000}}, block(0, -0.15, 0.3, 0.15), dx);
+    scene.step();
+    CHECK(scene.engine().motion<Tank>().speed == 0);
+    scene[wall][sph::velocity].col(0).setConstant(3);
+    scene.step();
+    CHECK(scene.engine().motion<Tank>().speed == 3);
+}
+
+template <class Integrator>
+void check_late_fields() {
+    const auto first_step = [](bool late) {
+        sph::Solver<2, double, Integrator, Water> scene(settings());
+        const auto pool = scene.add(water, block(0, 0, 0.5, 0.5), dx);
+        if (late)
+            scene.prepare();
+        const auto x = scene[pool][sph::position];
+        for (int i = 0; i < scene[pool].size(); ++i) {
+            scene[pool][sph::velocity](i, 0) = 100 * std::sin(20 * x(i, 1));
+            scene[pool][sph::density](i) = 1000 + 10 * std::cos(20 * x(i, 0));
+        }
+        const double dt = scene.step();
+        return std::pair(dt, scene[pool][sph::velocity].cwiseAbs().sum());
+    };
+    const auto early = first_step(false), late = first_step(true);
+    CHECK(early.first < 5e-4); // sound alone would allow 1e-2
+    CHECK(late.first == early.first);
+    CHECK(late.second == Approx(early.second).epsilon(1e-12)); // the accelerations a step begins with as well
+}
+TEST_CASE("Fields that are set after a look at the scene count in the first step", "[hosts]") {
+    check_late_fields<sph::SymplecticEuler>();
+    check_late_fields<sph::Leapfrog>();
+    check_late_fields<sph::PredictorCorrector>();
+}
+
+TEST_CASE("Gravity may change during a run", "[hosts]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Water> scene(settings());
+    const auto drop = scene.add(water, {{0, 0}}, dx);
+    scene.step(0.1);
+    CHECK(scene[drop][sph::velocity](0, 1) == 0);
+    scene.set_gravity({1, -10});
+    CHECK(scene.settings().gravity[1] == -10);
+    scene.step(0.1);
+    CHECK(scene[drop][sph::velocity](0, 0) == Approx(0.1));
+    CHECK(scene[drop][sph::velocity](0, 1) == Approx(-1));
+    REQUIRE_THROWS_WITH(scene.set_gravity({0, nan}), imbibe_test::contains("gravity"));
+    CHECK(scene.settings().gravity[0] == 1);
+}
+
+TEST_CASE("Numbers that are none end a run in a periodic box too", "[hosts]") {
+    const auto disturbed = [](auto field, double value) {
+        auto s = settings();
+        s.periodic_length = {1, 1};
+        sph::Solver<2, double, sph::SymplecticEuler, Water> scene(s);
+        const auto pool = scene.add(water, block(0, 0, 1, 1), dx);
+        scene.step();
+        scene[pool][field](7, 1) = value;
+        for (int k = 0; k < 3; ++k)
+            scene.step();
+    };
+    for (const double bad : {nan, std::numeric_limits<double>::infinity()})
+        REQUIRE_THROWS_WITH(disturbed(sph::position, bad), imbibe_test::contains("not a finite number"));
+    REQUIRE_THROWS_WITH(disturbed(sph::velocity, nan), imbibe_test::contains("not a finite number"));
+    REQUIRE_THROWS_WITH(disturbed(sph::velocity, std::numeric_limits<double>::infinity()),
+                        imbibe_test::contains("is 0 s"));
+}
+
+TEST_CASE("The end of a run leaves no step of round-off, and must be a number", "[hosts]") {
+    auto s = settings();
+    s.time_step = 1e-5; // a hundred thousand of them come to 1 - 2e-12
+    sph::Solver<2, double, sph::SymplecticEuler, Water> scene(s);
+    scene.add(water, {{0, 0}}, dx);
+    scene.run_until(1);
+    CHECK(scene.steps() == 100'000);
+    CHECK(scene.time() == Approx(1).epsilon(1e-12));
+    CHECK(scene.last_step().reason == "fixed");
+    scene.run_until(1 + 0.5e-5);
+    CHECK(scene.last_step().reason == "end of run");
+    REQUIRE_THROWS_WITH(scene.run_until(nan), imbibe_test::contains("run_until(nan)"));
+}
+
+/// Those of a pool of water over a floor.
+std::vector<std::string> warnings_of(double sound, double gravity, double time_step, double wall_support, bool floor) {
+    auto s = settings();
+    s.gravity = {0, -gravity};
+    s.time_step = time_step;
+    Pool scene(s);
+    scene.add(Water{{.density = 1000, .sound_speed = sound}}, block(0, 0, 0.5, 0.5), dx);
+    if (floor)
+        scene.add(Tank{{.density = 1000, .support_radius = wall_support}}, block(0, -0.15, 0.5, 0.15), dx);
+    scene.prepare();
+    return scene.warnings();
+}
+void check_warning(const std::vector<std::string>& warnings, const std::string& words) {
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], imbibe_test::contains(words));
+}
+TEST_CASE("What is doubtful about a scene is said before its first step", "[hosts]") {
+    CHECK(warnings_of(20, 9.81, 0, 0, true).empty());
+    check_warning(warnings_of(20, 9.81, 0, 0, false), "Tank has no particles");
+    check_warning(warnings_of(5, 9.81, 0, 0, true), "compresses it by 17.");
+    check_warning(warnings_of(20, 9.81, 0.1, 0, true), "fixed time step of 0.1 s");
+    check_warning(warnings_of(20, 9.81, 0, 4 * dx, true), "Water's sums reach 0.2 m over Tank");
+    CHECK(warnings_of(20, 9.81, 0, 2 * dx, true).empty()); // a smaller one of the wall's does not count
+    SECTION("a wall that the water does not see") {
+        const auto beside = [](double gap) {
+            sph::Solver<2, double, sph::SymplecticEuler, Water, Tank> scene(settings());
+            scene.add(water, block(0, 0, 0.5, 0.5), dx);
+            scene.add(Tank{{.density = 1000}}, block(0, -0.15 - gap, 0.5, 0.15), dx);
+            scene.prepare();
+            return scene.warnings();
+        };
+        check_warning(beside(0), "struct Sides : Coupling<Water, Tank");
+        CHECK(beside(1).empty());
+    }
+}
+
+TEST_CASE("Two couplings that ask for one part of a wall give it the same coefficients", "[hosts]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Water, Oil, Tank, Sides<Water>, Sides<Oil>> scene(settings());
+    scene.add(water, block(0, 0, 0.3, 0.3), dx);
+    scene.add(Oil{{.density = 900, .sound_speed = 10}}, block(0, 0.3, 0.3, 0.3), dx);
+    scene.add(Tank{{.density = 1000}}, block(0, -0.15, 0.3, 0.15), dx);
+    scene.coupling<Sides<Oil>>().set(sph::PressureExtrapolationParameters{.suction = false});
+    REQUIRE_THROWS_WITH(scene.prepare(), imbibe_test::contains("PressureExtrapolationParameters"));
+    scene.coupling<Sides<Water>>().set(sph::PressureExtrapolationParameters{.suction = false});
+    scene.prepare();
+}
+
+TEST_CASE("What is added is checked across periodic sides and against what is there", "[hosts]") {
+    auto s = settings(10, 0.5);
+    s.periodic_length = {1, 0};
+    using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+    Scene scene(s);
+    const double just_inside = 49 * (1.0 / 49); // 1.1e-16 below 1: the place of 0
+    REQUIRE_THROWS_WITH(scene.add(water, {{0, 0.5}, {just_inside, 0.5}}, dx), imbibe_test::contains("coincide"));
+    scene.add(water, {{0, 0.5}, {0.5, 0.5}}, dx);
+    Water faster = water;
+    faster.sound_speed = 20;
+    REQUIRE_THROWS_WITH(scene.add(faster, {{0.7, 0.5}}, dx), imbibe_test::contains("sound speed of 10 m/s before"));
+    Scene narrow(s); // 0.7 m fit into the period, with their skin they do not
+    REQUIRE_THROWS_WITH(narrow.add(Water{{.density = 1000, .sound_speed = 10, .support_radius = 0.7}}, {{0, 0}}, dx),
+                        imbibe_test::contains("1.05 m, is longer than a period of 1 m"));
+}
+
+} // namespace hosts_test
