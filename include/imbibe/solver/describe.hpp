@@ -98,6 +98,10 @@ std::string describe(Scene& scene) {
     out += text("\n  first step ", next.seconds, " s, from ", next.reason, " (", next.where, ")\n");
     for (const auto& warning : scene.warnings())
         out += "Warning: " + warning + "\n";
+#ifndef __OPTIMIZE__
+    out += "Warning: compiled without optimisation, which takes about a hundred times as long; give the compiler -O3 "
+           "-march=native, or CMake -DCMAKE_BUILD_TYPE=Release\n";
+#endif
     return out;
 }
 

@@ -4,6 +4,8 @@
 
 #include <imbibe/core/parallel.hpp>
 
+#include <algorithm>
+
 namespace imbibe::detail {
 
 /// Refers to something that can be called as the signature says. It must live as long.
@@ -28,6 +30,12 @@ private:
 [[gnu::noinline]] IMBIBE_PER_BUILD inline void loop_blocks(int n, int block, int threads,
                                                            const Callable<void(int, int)>& f) {
     parallel_blocks(n, block, threads, f);
+}
+
+/// The greatest of the numbers, 0 or more, that f makes of blocks of n particles.
+[[gnu::noinline]] IMBIBE_PER_BUILD inline double greatest_of_blocks(int n, int threads,
+                                                                    const Callable<double(int, int)>& f) {
+    return parallel_reduce(n, threads, 0.0, f, [](double one, double other) { return std::max(one, other); });
 }
 
 } // namespace imbibe::detail

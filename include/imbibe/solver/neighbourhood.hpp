@@ -81,7 +81,7 @@ public:
             disturbed = disturbed || s.disturbed;
             if constexpr (!P::moves)
                 if (search_interval > 1 && !s.disturbed) // a host may move it
-                    farthest = std::max(farthest, s.farthest_since());
+                    farthest = std::max(farthest, s.farthest_since(this->threads));
         });
         return steps_since_search + ahead >= search_interval || disturbed || !(farthest <= farthest_allowed);
     }
@@ -219,15 +219,19 @@ protected:
 
     /// The greatest speed of the particles of a phase that has velocities, m/s.
     template <class S>
-    static double greatest_speed(const S& s) {
-        double most = 0;
-        for (int i = 0; i < s.size(); ++i) {
-            double v2 = 0;
-            for (int d = 0; d < dim; ++d)
-                v2 += sq(static_cast<double>(s.column(S::template offset<Velocity> + d)[i]));
-            most = std::max(most, v2);
-        }
-        return std::sqrt(most);
+    double greatest_speed(const S& s) const {
+        const Real* v = s.field(velocity);
+        const auto block = [&](int begin, int end) {
+            double most2 = 0;
+            for (int i = begin; i < end; ++i) {
+                double v2 = 0;
+                for (std::size_t d = 0; d < dim; ++d)
+                    v2 += sq(static_cast<double>(v[d * s.stride() + static_cast<std::size_t>(i)]));
+                most2 = std::max(most2, v2);
+            }
+            return most2;
+        };
+        return std::sqrt(greatest_of_blocks(s.size(), this->threads, Callable<double(int, int)>(block)));
     }
 
 private:

@@ -9,8 +9,12 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <vector>
 
 namespace imbibe::detail {
 
@@ -126,15 +130,19 @@ public:
     /// Keeps a copy of the positions.
     void remember_places() { places_then.assign(column(offset<Position>), column(offset<Position>) + dim * step); }
     /// How far the particle is that has moved farthest since, m.
-    double farthest_since() const {
-        double farthest2 = 0;
-        for (int i = 0; i < n; ++i) {
-            double way2 = 0;
-            for (std::size_t k = static_cast<std::size_t>(i); k < dim * step; k += step)
-                way2 += sq(static_cast<double>(column(offset<Position>)[k]) - static_cast<double>(places_then[k]));
-            farthest2 = way2 <= farthest2 ? farthest2 : way2; // also where it is no number
-        }
-        return std::sqrt(farthest2);
+    double farthest_since(int threads) const {
+        const Real *now = column(offset<Position>), *then = places_then.data();
+        const auto block = [&](int begin, int end) {
+            double farthest2 = 0;
+            for (int i = begin; i < end; ++i) {
+                double way2 = 0;
+                for (std::size_t k = static_cast<std::size_t>(i); k < dim * step; k += step)
+                    way2 += sq(static_cast<double>(now[k]) - static_cast<double>(then[k]));
+                farthest2 = std::max(farthest2, way2);
+            }
+            return farthest2;
+        };
+        return std::sqrt(greatest_of_blocks(n, threads, Callable<double(int, int)>(block)));
     }
 
     // ---- the sorted copy through which others see a phase that keeps its reference order ----
