@@ -1,7 +1,7 @@
 // The wall has no pressure: the coupling's pressure gradient reads it there.
 // expect: a term reads this field, and no term of its phase sets it
 // expect: NobodySets<imbibe::Pressure, imbibe::SymmetricPressure<imbibe::WendlandC2>, Tank,
-// expect: add_an_equation_of_state_such_as_Tait
+// expect: add_PressureExtrapolation_to_the_coupling_Into_the_wall
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};

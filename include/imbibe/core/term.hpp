@@ -13,7 +13,8 @@
 // it is called for as many particles at once as the machine computes.
 // Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part), `using
 // effect` (what only one term of a phase may be, see below), `using beside_in_couplings` (a term that every coupling
-// must have into the phase, if it has one of that effect), `static constexpr bool of_solids = true;` (it asks for the
+// must have into the phase, if it has one of that effect), `static constexpr bool one_sided = true;` (it is listed in
+// couplings only, as Into the wall or the solid), `static constexpr bool of_solids = true;` (it asks for the
 // elastic moduli of `Solid`), `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char*
 // limit_name`. A force that is stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own
 // limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it

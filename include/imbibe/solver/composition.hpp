@@ -248,8 +248,9 @@ struct Composition {
             using N = detail::At<row, Rows>;
             using F = decltype(field_at_column<column_at_fault>(Phases{}));
             using P = detail::At<phase_of_column(column_at_fault), Phases>;
-            using Advice = std::conditional_t<std::is_same_v<F, Pressure>, add_an_equation_of_state_such_as_Tait,
-                                              add_a_term_that_sets_it>;
+            using Equation = std::conditional_t<P::moves, add_an_equation_of_state_such_as_Tait,
+                                                add_PressureExtrapolation_to_the_coupling_Into_the_wall>;
+            using Advice = std::conditional_t<std::is_same_v<F, Pressure>, Equation, add_a_term_that_sets_it>;
             return detail::break_rule<rules::NobodySets<F, typename N::Term, P, Advice>>();
         } else if constexpr (fault == Fault::set_twice) {
             using N = detail::At<row, Rows>;

@@ -69,6 +69,8 @@ private:
             return break_rule<rules::NotATerm<T, Item, list_terms_only_and_Into_only_in_couplings>>();
         else if constexpr (!IsCoupling<Item> && !suits<Item, Term>)
             return break_rule<rules::NotASolid<Term, Item, give_it_to_a_solid>>();
+        else if constexpr (std::is_same_v<Term, T> && requires { requires Term::one_sided; })
+            return break_rule<rules::NotInto<Term, Item, write_it_in_a_coupling_as_Into_the_wall_or_solid>>();
         else
             return true;
     }

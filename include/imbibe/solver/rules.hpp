@@ -7,6 +7,8 @@ namespace imbibe {
 // Advice, printed as a template argument.
 struct add_a_term_that_sets_it;
 struct add_an_equation_of_state_such_as_Tait;
+struct add_PressureExtrapolation_to_the_coupling_Into_the_wall;
+struct write_it_in_a_coupling_as_Into_the_wall_or_solid;
 struct remove_one_of_the_two_terms;
 struct list_it_once;
 struct list_terms_only_and_Into_only_in_couplings;
@@ -63,6 +65,11 @@ struct SameEffectTwice {
 template <class Missing, class Term, class Phase, class Coupling, class Advice>
 struct MissingInCoupling {
     static_assert(never<Missing>, "imbibe: a term of this phase needs another in this coupling");
+};
+/// Rule: a term that only one side of a coupling can have (`one_sided`) says which.
+template <class Term, class Where, class Advice>
+struct NotInto {
+    static_assert(never<Term>, "imbibe: this term is one of a wall or a solid beside a fluid, and acts on just that");
 };
 /// Rule: a function of a pair adds to fields; there is no one pair that could set one.
 template <class Part, class Term, class Advice>

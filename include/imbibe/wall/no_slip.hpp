@@ -35,6 +35,7 @@ inline constexpr NoSlipVelocityField no_slip_velocity{};
 /// Source: Adami, Hu and Adams (2012), Eqs. (22) and (23).
 template <class Kernel = WendlandC2>
 struct NoSlipVelocity {
+    static constexpr bool one_sided = true;
     struct Sum { // a: wall or solid, b: fluid
         using reads = Fields<velocity>;
         using adds = Fields<no_slip_weight, no_slip_sum>;

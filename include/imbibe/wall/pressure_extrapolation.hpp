@@ -43,6 +43,7 @@ struct PressureExtrapolationParameters {
 template <class Kernel = WendlandC2>
 struct PressureExtrapolation {
     using Parameters = PressureExtrapolationParameters;
+    static constexpr bool one_sided = true;
 
     struct Sum { // a: wall or solid, b: fluid
         using reads = Fields<pressure, density>;
