@@ -34,6 +34,7 @@ CONTRACT = [
     (r"using limit_by_greatest =", "The field whose greatest value its limit on the time step depends on."),
     (r"using effect =", "The equation that it is a form of, of which a phase has one only."),
     (r"static constexpr bool of_solids\b", "It asks for the elastic moduli of a solid."),
+    (r"static constexpr bool one_sided\b", "It is listed in couplings only, as Into the wall or the solid."),
     (r"static constexpr bool in_packs\b", "It is called for as many particles at once as the processor computes."),
     (r".*\boperator\(\)\(const auto&( a)?, const auto&( b)?,", "What neighbour b contributes to particle a."),
     (r".*\boperator\(\)\(const auto&( a)?\) const", "The value for particle a."),
