@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <limits>
 
 namespace imbibe {
 
@@ -67,18 +68,23 @@ private:
     Clock::time_point started_, shown_;
 };
 
-/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s.
+/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s. Also where it is
+/// first called, and where time has gone back, as to a checkpoint: what `what` has written there then belongs to the
+/// run that goes on.
 template <class F>
 class Every {
 public:
     /// @throws Error for an interval that is not above 0 s
     Every(double interval, F what) : interval_(interval), what_(std::move(what)) {
-        require(std::isfinite(interval) && interval > 0, "an output interval of ", interval,
-                " s; it must be above 0 s");
+        require(std::isfinite(interval) && interval > 0, "every(interval, ...): interval = ", interval,
+                " s; it must be a finite number above 0 s");
     }
     /// Is called after every step.
     template <class Scene>
     void operator()(Scene& scene) {
+        if (scene.time() < seen_)
+            next_ = 0;
+        seen_ = scene.time();
         if (scene.time() < next_ * interval_ * (1 - 1e-9))
             return;
         what_(scene);
@@ -94,8 +100,10 @@ private:
     double interval_;
     F what_;
     double next_ = 0;
+    double seen_ = -std::numeric_limits<double>::infinity(); ///< the time of the last call, s
 };
 /// Makes an `Every`, for `run_until`: `every(0.02, Snapshots("out"))`.
+/// @throws Error for an interval that is not above 0 s
 template <class F>
 Every<F> every(double interval, F what) {
     return Every<F>(interval, std::move(what));
