@@ -248,7 +248,9 @@ TEST_CASE("A guard can be made with nothing, with braces and with bounds", "[gua
     scene.prepare();
     CHECK_NOTHROW(sph::Guard<2>().look(scene));
     CHECK_NOTHROW(sph::Guard<2>({}).look(scene));
-    CHECK_NOTHROW(sph::Guard<2>(sph::GuardSettings<2>{}).look(scene));
+    const sph::GuardSettings<2> bounds;
+    CHECK_NOTHROW(sph::Guard<2>(bounds).look(scene));
+    CHECK_NOTHROW(sph::Guard(bounds).look(scene));
     sph::Guard<2> one({.upper = {0.1, 0.1}});
     sph::Guard<2> copy(one);
     CHECK_THROWS_AS(copy.look(scene), sph::Diverged);

@@ -399,4 +399,8 @@ private:
     }
 };
 
+/// A guard is of the dimension of its bounds.
+template <int dim>
+Guard(const GuardSettings<dim>&) -> Guard<dim>;
+
 } // namespace imbibe
