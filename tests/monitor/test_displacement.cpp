@@ -3,7 +3,9 @@
 
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
+#include <imbibe/kernels/wendland.hpp>
 #include <imbibe/monitor/displacement.hpp>
+#include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 
 namespace displacement_test {
@@ -11,6 +13,9 @@ namespace displacement_test {
 namespace sph = imbibe;
 struct Dust : sph::Fluid<> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Dust>;
+using K = sph::WendlandC2;
+struct Block : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
+                          sph::TotalLagrangianForce<K>> {};
 
 TEST_CASE("A probe measures from where particles were, whole phases and parts", "[displacement]") {
     Scene scene({.support_radius = 0.2, .time_step = 0.1});
@@ -32,6 +37,31 @@ TEST_CASE("A probe measures from where particles were, whole phases and parts", 
                         imbibe_test::contains("no particle started"));
     scene.remove_if(dust, [](const auto& x) { return x[0] < 0.1; });
     REQUIRE_THROWS_WITH(probe.mean(scene[dust]), imbibe_test::contains("measured from 100 particles"));
+}
+
+TEST_CASE("A probe that knows the period measures across a periodic side", "[displacement]") {
+    Scene scene({.support_radius = 0.2, .time_step = 0.01, .periodic_length = {1, 0}});
+    const auto dust =
+        scene.add(Dust{{.density = 1, .sound_speed = 1}}, sph::fill(sph::Box<2>{{0.7, 0}, {1, 2}}, 0.1), 0.1);
+    scene[dust][sph::velocity].col(0).setConstant(1);
+    scene[dust][sph::velocity].col(1).setConstant(-6);
+    const sph::DisplacementProbe<2> probe(scene[dust], scene.settings());
+    scene.run_until(0.2);
+    REQUIRE(scene[dust][sph::position].col(0).minCoeff() < 0.2); // some have come back on the other side
+    CHECK(probe.greatest(scene[dust]) == Approx(std::hypot(0.2, 1.2)));
+    CHECK(probe.mean_vector(scene[dust])[0] == Approx(0.2));
+    CHECK(probe.mean_vector(scene[dust])[1] == Approx(-1.2));
+}
+
+TEST_CASE("A probe takes the places of a total-Lagrangian solid as they are", "[displacement]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Block> scene(
+        {.support_radius = 0.25, .time_step = 0.01, .periodic_length = {1, 0}});
+    const auto block = scene.add(Block{{.density = 1, .sound_speed = 1, .shear_modulus = 0.1}},
+                                 sph::fill(sph::Box<2>{{0.7, 0}, {1, 0.3}}, 0.1), 0.1);
+    scene[block][sph::velocity].col(0).setConstant(1);
+    const sph::DisplacementProbe<2> probe(scene[block], scene.settings());
+    scene.run_until(0.7); // more than half a period
+    CHECK(probe.mean_vector(scene[block])[0] == Approx(0.7));
 }
 
 } // namespace displacement_test

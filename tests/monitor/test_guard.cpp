@@ -193,6 +193,69 @@ TEST_CASE("A guard notices energy without work, and not what falls or leaves", "
     CHECK(stones.particles() == 1);
 }
 
+TEST_CASE("A guard does not take the ends of a periodic side for a fall or for a way out", "[guard]") {
+    using Plume = sph::Solver<2, double, sph::SymplecticEuler, Stone>;
+    const std::vector<sph::Point<2>> row{{0, 0.5}, {0.25, 0.5}, {0.5, 0.5}, {0.75, 0.5}};
+    const auto run = [&](std::array<double, 2> gravity) { // once round and some more, in steps of 0.02 m
+        Plume scene({.gravity = gravity,
+                     .support_radius = 0.1,
+                     .time_step = 0.02,
+                     .periodic_length = {1, 0},
+                     .search_interval = 20});
+        const auto stone = scene.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+        scene[stone][sph::velocity].col(0).setConstant(1);
+        bool outside = false;
+        scene.run_until(1.5, sph::Guard<2>({.interval = 1, .lower = {0, -20}, .upper = {1, 1}}),
+                        [&](const auto& s) { outside = outside || s[stone][sph::position].col(0).maxCoeff() > 1; });
+        return outside;
+    };
+    CHECK(run({0, 0})); // so that there was something to be taken amiss
+    CHECK_NOTHROW(run({1, 0}));
+    CHECK_NOTHROW(run({0, -1}));
+    // The other side still has its ends.
+    CHECK(thrown_by([&] { run({0, 1}); }).cause == sph::Cause::left_domain);
+    // And energy from nowhere is still noticed where gravity does not drive the flow round.
+    sph::Solver<2, double, sph::SymplecticEuler, Leaf> leaves(
+        {.gravity = {0, -1}, .support_radius = 0.1, .time_step = 0.01, .periodic_length = {1, 0}});
+    const auto leaf = leaves.add(Leaf{{.density = 1, .sound_speed = 100}}, row, 0.05);
+    leaves[leaf][sph::velocity].col(0).setConstant(1);
+    CHECK(thrown_by([&] { leaves.run_until(1, sph::Guard<2>()); }).cause == sph::Cause::energy);
+}
+
+TEST_CASE("A guard that stops before the first step speaks of the start, and later of leaks", "[guard]") {
+    const auto told = [](const sph::Point<2>& x, bool step, const sph::GuardSettings<2>& bounds) {
+        Pool scene({.support_radius = 2.6 * dx});
+        scene.add(Water{{.density = 1000, .sound_speed = 40}}, {x}, dx);
+        scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {1, 1}), dx, 3), dx);
+        scene.prepare();
+        if (step)
+            scene.step(1e-9);
+        sph::Guard<2> guard(bounds);
+        return std::string(thrown_by([&] { guard.look(scene); }).what());
+    };
+    const sph::Point<2> in_the_wall{0.5, -1.5 * dx}, outside{0.5, 1.2};
+    CHECK_THAT(told(in_the_wall, false, {}),
+               contains("overlap as they were added") && contains("Look at how the scene starts"));
+    CHECK_THAT(told(in_the_wall, false, {}), !contains("KernelRepulsion"));
+    CHECK_THAT(told(in_the_wall, true, {}), contains("KernelRepulsion"));
+    const sph::GuardSettings<2> bounds{.lower = {-0.2, -0.2}, .upper = {1.19, 1.19}};
+    CHECK_THAT(told(outside, false, bounds), contains("before the first step"));
+    CHECK_THAT(told(outside, true, bounds), contains("fewer layers") && contains("a phase without a coupling"));
+}
+
+TEST_CASE("A guard can be made with nothing, with braces and with bounds", "[guard]") {
+    auto scene = pool();
+    scene.prepare();
+    CHECK_NOTHROW(sph::Guard<2>().look(scene));
+    CHECK_NOTHROW(sph::Guard<2>({}).look(scene));
+    const sph::GuardSettings<2> bounds;
+    CHECK_NOTHROW(sph::Guard<2>(bounds).look(scene));
+    CHECK_NOTHROW(sph::Guard(bounds).look(scene));
+    sph::Guard<2> one({.upper = {0.1, 0.1}});
+    sph::Guard<2> copy(one);
+    CHECK_THROWS_AS(copy.look(scene), sph::Diverged);
+}
+
 TEST_CASE("Bounds of a guard that make no sense are refused", "[guard]") {
     REQUIRE_THROWS_WITH(sph::Guard<2>({.interval = 0}), contains("interval = 0"));
     REQUIRE_THROWS_WITH(sph::Guard<2>({.speed = -1}), contains("-1 sound speeds"));

@@ -3,6 +3,8 @@
 
 #include <imbibe/imbibe.hpp>
 
+#include <unistd.h>
+
 namespace reports_test {
 
 namespace {
@@ -29,6 +31,25 @@ bool says(const std::string& text, const std::string& what) {
     CAPTURE(what);
     CHECK(text.find(what) != std::string::npos);
     return text.find(what) != std::string::npos;
+}
+
+/// What is printed while `run` runs.
+template <class Run>
+std::string printed(const Run& run) {
+    std::fflush(stdout);
+    std::FILE* const file = std::tmpfile();
+    const int before = ::dup(1);
+    ::dup2(::fileno(file), 1);
+    run();
+    std::fflush(stdout);
+    ::dup2(before, 1);
+    ::close(before);
+    std::fseek(file, 0, SEEK_END);
+    std::string all(static_cast<std::size_t>(std::ftell(file)), ' ');
+    std::rewind(file);
+    all.resize(std::fread(all.data(), 1, all.size(), file));
+    std::fclose(file);
+    return all;
 }
 
 } // namespace
@@ -101,6 +122,62 @@ TEST_CASE("The live line says how far, how fast, what limits the step, and how l
     says(line, "(" + scene.last_step().reason + ", " + scene.last_step().where + ")");
     says(line, " M particle-steps/s  left ");
     CHECK(std::isdigit(static_cast<unsigned char>(line.back())));
+}
+
+TEST_CASE("The live line shows the last step that the end of the run did not cut off", "[reports]") {
+    Scene scene = dam();
+    sph::Progress progress(0.01, false);
+    double whole = 0;
+    std::string reason;
+    const auto watch = [&](const Scene& s) {
+        if (s.last_step().reason != "end of run") {
+            whole = s.last_step().seconds;
+            reason = s.last_step().reason;
+        }
+    };
+    const std::string said = printed([&] { scene.run_until(0.01, std::ref(progress), watch); });
+    REQUIRE(scene.last_step().reason == "end of run");
+    char expected[60];
+    std::snprintf(expected, sizeof expected, "dt %.2e s (", whole);
+    says(said, expected + reason + ", ");
+    CHECK(said.find("end of run") == std::string::npos);
+    sph::Progress other(0.01, false);
+    printed([&] { scene.run_until(0.01 + 1e-9, std::ref(other)); }); // nothing but a step that is cut off
+    says(other.line(scene), "(end of run, caller)");
+    REQUIRE_THROWS_WITH(sph::Progress(-1, false), imbibe_test::contains("end = -1 s"));
+    REQUIRE_THROWS_WITH(sph::Progress(std::nan(""), true), imbibe_test::contains("end = nan s"));
+}
+
+TEST_CASE("The live line comes behind what deserves a look, once", "[reports]") {
+    sph::Solver<2, float, sph::SymplecticEuler, Calm> scene({.support_radius = 0.021, .threads = 1});
+    scene.add(Calm{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, 0}, {0.2, 0.2}}, 0.02), 0.02);
+    REQUIRE(scene.warnings().size() == 1);
+    const std::string expected = "Warning: " + scene.warnings().front() + "\n";
+    sph::Progress progress(0.01, false);
+    const std::string said = printed([&] { scene.run_until(0.01, std::ref(progress)); });
+    CHECK(said.rfind(expected, 0) == 0);
+    CHECK(said.find("Warning", 1) == std::string::npos);
+    says(said, "100.0 %");
+}
+
+TEST_CASE("An interval of every() that makes no sense is refused by that name", "[reports]") {
+    const auto nothing = [](auto&) {};
+    REQUIRE_THROWS_WITH(sph::every(0, nothing), imbibe_test::contains("every(interval, ...): interval = 0 s"));
+    REQUIRE_THROWS_WITH(sph::every(std::nan(""), nothing), imbibe_test::contains("interval = nan s"));
+}
+
+TEST_CASE("every() calls at once where time has gone back", "[reports]") {
+    std::vector<double> times;
+    auto observer = sph::every(0.5, [&](const auto& s) { times.push_back(s.time()); });
+    struct Clock {
+        double now;
+        double time() const { return now; }
+    };
+    for (const double now : {0., 0.3, 0.6, 0.9, 1.1, 0.7, 0.8, 1.0, 1.0, 1.2}) {
+        Clock clock{now};
+        observer(clock);
+    }
+    CHECK(times == std::vector<double>{0, 0.6, 1.1, 0.7, 1.0});
 }
 
 TEST_CASE("The estimate of the wall time steps a copy, and is nothing for nothing to do", "[reports]") {

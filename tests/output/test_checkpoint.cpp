@@ -13,6 +13,7 @@
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/checkpoint.hpp>
 #include <imbibe/output/recover.hpp>
+#include <imbibe/output/table.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/state/linear_state.hpp>
@@ -301,6 +302,91 @@ TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpo
     CHECK_THROWS_AS(sph::run_and_recover(bad, 0.3, strict, path, 1e6, 4, [&](const sph::Error&) { tried = true; }),
                     sph::Diverged);
     CHECK_FALSE(tried);
+}
+
+namespace {
+
+/// The times that the list of a series names.
+std::vector<double> listed_times(const std::filesystem::path& list) {
+    std::vector<double> times;
+    const auto words = output_test::content(list);
+    for (auto at = words.find("timestep=\""); at != std::string::npos; at = words.find("timestep=\"", at + 1))
+        times.push_back(std::stod(words.substr(at + 10)));
+    return times;
+}
+
+} // namespace
+
+TEST_CASE("A restarted run goes on with the snapshots and the table of the run before", "[checkpoint]") {
+    const auto folder = output_test::fresh("restarted_series");
+    const auto table_row = [](sph::Table& table) {
+        return [&table](const auto& s) { table.row({s.time(), static_cast<double>(s.steps())}); };
+    };
+    const std::vector<sph::Column> columns{{"time", "s"}, {"steps"}};
+    auto first = make<float>(1000, 1, 1e-3);
+    {
+        sph::Table table(folder / "run.csv", columns);
+        first.run_until(0.02, sph::every(0.005, sph::Snapshots(folder)), sph::every(0.005, table_row(table)),
+                        sph::Checkpoints(folder / "run", 1e6, 0.01));
+    }
+    auto second = make<float>(1000, 1, 1e-3); // another program, from the checkpoint at 0.02 s
+    sph::read_checkpoint(second, folder / "run.previous");
+    REQUIRE(second.time() == Approx(0.01));
+    sph::Table table(folder / "run.csv", columns);
+    second.run_until(0.03, sph::every(0.005, sph::Snapshots(folder)), sph::every(0.005, table_row(table)));
+    const auto times = listed_times(folder / "water.pvd");
+    REQUIRE(times.size() == 7);
+    for (std::size_t k = 0; k < times.size(); ++k)
+        CHECK(times[k] == Approx(0.005 * static_cast<double>(k)).epsilon(1e-6));
+    CHECK(listed_times(folder / "block.pvd") == times);
+    const auto rows = output_test::content(folder / "run.csv");
+    CHECK(std::count(rows.begin(), rows.end(), '\n') == 8);
+    CHECK(rows.find("\n0,0\n") != std::string::npos);
+
+    auto third = make<float>(1000, 1, 1e-3); // and from the start
+    third.run_until(0.005, sph::every(0.005, sph::Snapshots(folder)));
+    CHECK(listed_times(folder / "water.pvd").size() == 2);
+}
+
+TEST_CASE("Snapshots are of one story where a run goes back, and where two runs follow each other", "[checkpoint]") {
+    const auto folder = output_test::fresh("recovered_series");
+    auto scene = make<float>(1000, 1, 1e-3);
+    sph::Snapshots each(folder / "each"), some(folder / "some");
+    sph::Table table(folder / "run.csv", {{"time", "s"}, {"step", "s"}});
+    bool once = true;
+    const auto trouble = [&](auto& s) {
+        if (once && s.steps() == 13) {
+            once = false;
+            throw sph::Error("trouble, once");
+        }
+    };
+    sph::Guard<2> guard;
+    int returned = 0;
+    sph::run_and_recover(
+        scene, 0.02, guard, folder / "run", 1e6, 3, [&](const sph::Error&) { ++returned; }, each,
+        sph::every(5e-3, std::ref(some)),
+        sph::every(1e-3,
+                   [&](auto& s) {
+                       table.row({s.time(), s.last_step().seconds});
+                   }),
+        trouble);
+    CHECK(returned == 1);
+    CHECK(each.size() == 41); // 0.02 s in steps of half a millisecond, from the start again
+    CHECK(some.size() == 5);
+    CHECK(listed_times(folder / "each/water.pvd").size() == 41);
+    const auto rows = output_test::content(folder / "run.csv");
+    CHECK(std::count(rows.begin(), rows.end(), '\n') == 22);
+    CHECK(rows.find(",0.001\n") == std::string::npos); // none of the steps that were given up
+
+    scene.run_until(0.021, each);
+    scene.run_until(0.022, each);
+    CHECK(each.size() == 45);
+    const auto times = listed_times(folder / "each/water.pvd");
+    CHECK(std::is_sorted(times.begin(), times.end(), std::less_equal<>{})); // each once
+
+    // What went wrong is kept by itself, whatever was there before.
+    sph::keep_offending_state(scene, folder / "each");
+    CHECK(listed_times(folder / "each/water.pvd") == std::vector<double>{scene.time()});
 }
 
 } // namespace checkpoint_test

@@ -5,6 +5,10 @@
 #include <catch_shim.hpp>
 #include <imbibe/output/file.hpp>
 
+#include <iostream>
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace file_test {
 
 using namespace imbibe;
@@ -79,6 +83,28 @@ TEST_CASE("a folder is made, or refused before the run", "[output]") {
         REQUIRE_THROWS_WITH(require_writable(top / "a"), contains("4 kB") && contains((top / "a").string()));
     }
     CHECK(std::distance(std::filesystem::directory_iterator(top / "a"), {}) == 1);
+}
+
+TEST_CASE("an error that ends the program takes nothing along that was printed before", "[output]") {
+    const auto path = fresh("printed") / "stdout.txt";
+    std::cout.flush();
+    std::fflush(stdout);
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) { // ends without emptying a buffer, as std::terminate does
+        if (std::freopen(path.c_str(), "w", stdout) == nullptr)
+            ::_exit(1);
+        std::printf("50 %% done\n");
+        try {
+            require(false, "something is wrong");
+        } catch (const Error&) {
+            ::_exit(0);
+        }
+    }
+    int status = -1;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
+    CHECK(content(path) == "50 % done\n");
 }
 
 } // namespace file_test

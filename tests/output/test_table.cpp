@@ -24,9 +24,9 @@ TEST_CASE("a table has a header with units and a line a row", "[output]") {
     CHECK(content(path) == "time [s],drained mass [kg],steps\n");
     table.row({0.1, 1. / 3, 12});
     CHECK(content(path) == "time [s],drained mass [kg],steps\n0.1,0.3333333333333333,12\n");
-    table.row(std::vector<double>{-5e-324, std::numeric_limits<double>::infinity(), 1e300});
+    table.row(std::vector<double>{0.5, std::numeric_limits<double>::infinity(), -5e-324});
     const auto last = content(path).substr(content(path).find("12\n") + 3);
-    CHECK(last == "-5e-324,inf,1e+300\n");
+    CHECK(last == "0.5,inf,-5e-324\n");
 }
 
 TEST_CASE("a table keeps every bit of a number", "[output]") {
@@ -97,6 +97,52 @@ TEST_CASE("a table is continued after a restart", "[output]") {
     auto table = Table::resume(path, columns, 1);
     table.row({4, 5, 7});
     CHECK(content(path) == "time [s],drained mass [kg],steps\n1,2,3\n4,5,7\n");
+}
+
+TEST_CASE("a table over time tells one story, wherever time goes back to", "[output]") {
+    const auto path = fresh("table_story") / "run.csv";
+    const std::string head = "time [s],drained mass [kg],steps\n";
+    {
+        Table table(path, columns);
+        for (const double time : {0., 1., 2., 3.})
+            table.row({time, 1, 2});
+        table.row({2, 5, 6});
+        CHECK(content(path) == head + "0,1,2\n1,1,2\n2,5,6\n");
+        table.row({1.5, 7, 8});
+        table.row({2.5, 9, 9});
+    }
+    std::ofstream(path, std::ios::app) << "3,8"; // killed in the middle of a row
+    const std::string before = head + "0,1,2\n1,1,2\n1.5,7,8\n2.5,9,9\n3,8";
+    {
+        Table restarted(path, columns);
+        CHECK(content(path) == before); // until a row says at which time the run goes on
+        restarted.row({1.5, 7, 7});
+        restarted.row({2.0, "", 3.0});
+        CHECK(content(path) == head + "0,1,2\n1,1,2\n1.5,7,7\n2,,3\n");
+    }
+    const auto now = content(path);
+    Table other(path, {{"time", "s"}, {"mass", "kg"}});
+    REQUIRE_THROWS_WITH(other.row({4, 1}), contains("drained mass [kg]") && contains("another name"));
+    std::ofstream(path, std::ios::app) << "words,1,2\n";
+    Table unreadable(path, columns);
+    REQUIRE_THROWS_WITH(unreadable.row({4, 1, 2}), contains("'words,1,2' does not begin with a time"));
+    REQUIRE_THROWS_WITH(unreadable.row({std::nan(""), 1, 2}), contains("finite number"));
+    REQUIRE_THROWS_WITH(unreadable.row({"now", 1.0, 2.0}), contains("finite number"));
+    CHECK(content(path) == now + "words,1,2\n");
+    Table anew(path, columns);
+    anew.row({0, 4, 4});
+    CHECK(content(path) == head + "0,4,4\n");
+}
+
+TEST_CASE("a table over anything else keeps every row and starts anew", "[output]") {
+    const auto path = fresh("table_other") / "run.csv";
+    for (int run = 0; run < 2; ++run) {
+        Table table(path, {{"spacing", "m"}, {"time", "s"}});
+        CHECK(content(path) == "spacing [m],time [s]\n");
+        table.row({2, 1});
+        table.row({1, 8});
+        CHECK(content(path) == "spacing [m],time [s]\n2,1\n1,8\n");
+    }
 }
 
 } // namespace table_test

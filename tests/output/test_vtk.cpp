@@ -123,7 +123,7 @@ TEST_CASE("a series lists its files by time", "[output]") {
         }
         CHECK(content(series.list()).find("timestep=\"0.055\" part=\"0\" name=\"water\" file=\"water_000011.vtp\"") !=
               std::string::npos);
-        REQUIRE_THROWS_WITH(series.write(0.055, particles.file()), contains("times must increase"));
+        REQUIRE_THROWS_WITH(series.write(std::nan(""), particles.file()), contains("finite number"));
     }
     VtkSeries again(folder, "water"); // as after a restart
     REQUIRE_THROWS_WITH(again.resume(13), contains("lists 12"));
@@ -131,6 +131,110 @@ TEST_CASE("a series lists its files by time", "[output]") {
     again.write(1. / 3, particles.file());
     CHECK(again.size() == 12);
     CHECK(content(again.list()).find("0.055") == std::string::npos);
+}
+
+namespace {
+/// The times that a list names, and the files, which must be there and be of those times.
+std::vector<double> told_by(const std::filesystem::path& list) {
+    std::vector<double> times;
+    const auto words = content(list);
+    for (auto at = words.find("timestep=\""); at != std::string::npos; at = words.find("timestep=\"", at + 1)) {
+        const auto begin = at + 10, file = words.find("file=\"", at) + 6;
+        const auto time = words.substr(begin, words.find('"', begin) - begin);
+        const auto name = words.substr(file, words.find('"', file) - file);
+        CAPTURE(name, time);
+        CHECK(content(list.parent_path() / name).find(">" + time + "</DataArray>") != std::string::npos);
+        times.push_back(std::stod(time));
+    }
+    return times;
+}
+using Times = std::vector<double>;
+} // namespace
+
+TEST_CASE("a series tells one story, wherever time goes back to", "[output]") {
+    const auto folder = fresh("series_story");
+    const Particles<double, 3> particles(10);
+    {
+        VtkSeries series(folder, "water");
+        for (const double time : {0., 0.1, 0.2, 0.3})
+            series.write(time, particles.file());
+        series.write(0.2 * (1 + 1e-12), particles.file()); // the same time, but for rounding
+        CHECK(told_by(series.list()) == Times{0, 0.1, 0.2 * (1 + 1e-12)});
+        series.write(0.15, particles.file());
+        series.write(0.25, particles.file());
+        CHECK(told_by(series.list()) == Times{0, 0.1, 0.15, 0.25});
+    }
+    {
+        VtkSeries restarted(folder, "water");
+        CHECK(restarted.size() == 0);
+        restarted.write(0.15, particles.file());
+        CHECK(restarted.size() == 3);
+        restarted.write(0.3, particles.file());
+        CHECK(told_by(restarted.list()) == Times{0, 0.1, 0.15, 0.3});
+    }
+    {
+        VtkSeries later(folder, "water");
+        later.write(1, particles.file());
+        CHECK(told_by(later.list()) == Times{0, 0.1, 0.15, 0.3, 1});
+    }
+    {
+        VtkSeries another(folder, "sponge"); // there is nothing to be continued
+        another.write(0.5, particles.file());
+        CHECK(told_by(another.list()) == Times{0.5});
+    }
+    {
+        VtkSeries anew(folder, "water");
+        anew.resume(0);
+        anew.write(0.6, particles.file());
+        CHECK(told_by(anew.list()) == Times{0.6});
+    }
+    VtkSeries from_the_start(folder, "water");
+    from_the_start.write(0, particles.file());
+    CHECK(told_by(from_the_start.list()) == Times{0});
+}
+
+TEST_CASE("a series never lists a file that is of a later time, whenever it is killed", "[output]") {
+    const auto folder = fresh("series_killed");
+    const Particles<double, 3> first(10), second(20);
+    {
+        VtkSeries series(folder, "water");
+        for (const double time : {0., 0.1, 0.2, 0.3})
+            series.write(time, first.file());
+    }
+    const auto kill_before_the_list_is_written = [&](VtkSeries& series, double time) {
+        const auto in_the_way = folder / "water.pvd.tmp";
+        std::filesystem::create_directory(in_the_way);
+        REQUIRE_THROWS_AS(series.write(time, second.file()), Error);
+        std::filesystem::remove(in_the_way);
+        return told_by(series.list());
+    };
+    VtkSeries restarted(folder, "water"), anew(folder, "water"), resumed(folder, "water");
+    CHECK(kill_before_the_list_is_written(restarted, 0.2) == Times{0, 0.1, 0.2, 0.3});
+    CHECK(kill_before_the_list_is_written(anew, 0) == Times{0, 0.1, 0.2, 0.3});
+    resumed.resume(1);
+    CHECK(kill_before_the_list_is_written(resumed, 0.4) == Times{0, 0.1, 0.2, 0.3});
+    {
+        const output_test::FullDisk full(1500); // the list fits, the particles do not
+        REQUIRE_THROWS_WITH(restarted.write(0.2, second.file()), contains("refused"));
+    }
+    CHECK(told_by(restarted.list()) == Times{0, 0.1});
+    restarted.write(0.2, second.file());
+    CHECK(told_by(restarted.list()) == Times{0, 0.1, 0.2});
+}
+
+TEST_CASE("a list that is not that of a series is not continued", "[output]") {
+    const auto folder = fresh("series_foreign");
+    const Particles<double, 3> particles(10);
+    VtkSeries(folder, "water").write(0, particles.file());
+    const auto list = folder / "water.pvd";
+    const auto good = content(list);
+    std::ofstream(list) << "<DataSet timestep=\"0\" part=\"0\" file=\"other.vtp\"/>\n";
+    VtkSeries series(folder, "water");
+    REQUIRE_THROWS_WITH(series.write(1, particles.file()), contains("water.pvd") && contains("water_000000.vtp"));
+    std::ofstream(list) << good;
+    std::filesystem::remove(folder / "water_000000.vtp");
+    REQUIRE_THROWS_WITH(series.write(1, particles.file()), contains("water_000000.vtp") && contains("not there"));
+    CHECK(content(list) == good);
 }
 
 TEST_CASE("a full disk in the middle of a series leaves what was there", "[output]") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
 #include <initializer_list>
 #include <sstream>
 #include <stdexcept>
@@ -14,7 +15,10 @@ namespace imbibe {
 /// and the remedy.
 class Error : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    /// The message. Empties the buffer of the standard output, from any thread: where nobody catches the error the
+    /// program ends without doing so, and all that a run has printed into a file or pipe, which says where it was,
+    /// would be lost.
+    explicit Error(const std::string& message) : std::runtime_error(message) { std::fflush(stdout); }
 };
 
 namespace detail {

@@ -8,12 +8,21 @@ namespace imbibe {
 /// Remembers where the particles of a phase are, by number, and measures from there; for any solid, total Lagrangian
 /// or not. Not for phases from which particles are removed and to which others are added. Throws Error where a particle
 /// was not there at the start.
+///
+/// In a periodic box, particles that leave on one side come back on the other, but for those of total-Lagrangian
+/// solids, which keep their places beyond it. A probe that knows the scene's settings measures across that side, as
+/// long as no particle has moved by half a period; without them a particle that came back seems to have moved by a
+/// period.
 template <int dim>
 class DisplacementProbe {
 public:
-    /// Measures from where the particles are now: `DisplacementProbe<3> probe(scene[sponge])`.
+    /// Measures from where the particles are now: `DisplacementProbe<3> probe(scene[sponge])`; in a scene that is
+    /// periodic, `DisplacementProbe<3> probe(scene[sponge], scene.settings())`.
     template <class View>
-    explicit DisplacementProbe(const View& phase) : start(static_cast<std::size_t>(phase.size())) {
+    explicit DisplacementProbe(const View& phase, const Settings<dim>& settings = {})
+        : start(static_cast<std::size_t>(phase.size())) {
+        if constexpr (!std::remove_cvref_t<decltype(phase.state)>::keeps_reference)
+            period = settings.periodic_length;
         const auto x = phase[position];
         for (int i = 0; i < phase.size(); ++i)
             start.at(phase.ids()[static_cast<std::size_t>(i)]) = x.row(i).transpose().template cast<double>();
@@ -63,7 +72,10 @@ private:
                 " now; make the probe anew when particles were added or removed");
         for (int i = 0; i < phase.size(); ++i) {
             const auto& from = start.at(phase.ids()[static_cast<std::size_t>(i)]);
-            const Eigen::Matrix<double, dim, 1> u = x.row(i).transpose().template cast<double>() - from;
+            Eigen::Matrix<double, dim, 1> u = x.row(i).transpose().template cast<double>() - from;
+            for (int d = 0; d < dim; ++d)
+                if (const double length = period[static_cast<std::size_t>(d)]; length > 0)
+                    u[d] -= length * std::round(u[d] / length);
             if constexpr (requires { f(u, from); })
                 f(u, from);
             else
@@ -71,6 +83,7 @@ private:
         }
     }
     std::vector<Eigen::Matrix<double, dim, 1>> start;
+    std::array<double, static_cast<std::size_t>(dim)> period{}; ///< m; 0: positions do not come back
 };
 
 } // namespace imbibe

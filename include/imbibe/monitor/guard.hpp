@@ -4,6 +4,7 @@
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/monitor/narrowest_passage.hpp>
 
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string>
@@ -46,7 +47,8 @@ struct GuardSettings {
     double speed = 1;
     /// Bounds of the density, as shares of that at rest.
     double least_density = 0.5, greatest_density = 1.5;
-    /// The domain, m: a particle outside ends the run. As wide as the tank and a spacing more, it notices leaks.
+    /// The domain, m: a particle outside ends the run. As wide as the tank and a spacing more, it notices leaks. Not
+    /// looked at along periodic sides, where there is no outside.
     std::array<double, static_cast<std::size_t>(dim)> lower = filled(-std::numeric_limits<double>::infinity()),
                                                       /// The upper corner of the domain, m.
         upper = filled(std::numeric_limits<double>::infinity());
@@ -58,7 +60,8 @@ struct GuardSettings {
     /// How much kinetic and potential energy may appear, as a share of what the scene turns over (its kinetic energy,
     /// or the potential energy that has been released, whichever is more), and beside what rounding of positions may
     /// have put in. Infinite: not looked at, as for scenes that
-    /// start under stress or that something drives. Not looked at either while a wall moves.
+    /// start under stress or that something drives. Not looked at either while a wall moves, nor where gravity has a
+    /// component along a periodic side: it drives the flow round and round, and there is no potential energy.
     double energy = 0.2;
     /// The fewest particles of a fluid that are to fit across the pores of a solid or wall that it is coupled to, as
     /// they lie now: below 2 no more than single ones pass, whatever the physics says. 0: not looked at, as where pores
@@ -99,8 +102,13 @@ private:
 template <int dim>
 class Guard {
 public:
+    /// With the bounds that GuardSettings begins with.
+    Guard() = default;
+    /// With other bounds: `Guard<2>({.upper = {1, 1}})`.
     /// @throws Error for a bound out of range
-    explicit Guard(const GuardSettings<dim>& with = {}) : settings_(with) { with.check(); }
+    template <class Bounds = GuardSettings<dim>> // a template, so that `Guard<2>({})` does not mean two things
+    requires std::same_as<Bounds, GuardSettings<dim>>
+    explicit Guard(const Bounds& with) : settings_(with) { with.check(); }
 
     /// The observer: a glance after every step, a look at all particles after every `interval` steps, at the pores too
     /// after every `pore_interval`.
@@ -180,6 +188,8 @@ private:
                      "has a velocity that is not finite");
         for (int d = 0; d < dim; ++d) {
             const auto k = static_cast<std::size_t>(d);
+            if (scene.settings().periodic_length[k] > 0)
+                continue;
             const double origin = scene.settings().origin[k];
             Eigen::Index low = 0, high = 0;
             const double least = static_cast<double>(x.col(d).minCoeff(&low)) + origin;
@@ -187,7 +197,11 @@ private:
             if (least < settings_.lower[k] || most > settings_.upper[k])
                 stop(scene, Cause::left_domain, name, phase, static_cast<int>(least < settings_.lower[k] ? low : high),
                      text("is outside the domain, which goes from ", settings_.lower[k], " to ", settings_.upper[k],
-                          " m in that direction"));
+                          " m in that direction",
+                          scene.steps() > 0
+                              ? ": unless it was thrown out, look for a leak: a wall with fewer layers than "
+                                "the support radius has spacings, or a phase without a coupling to it"
+                              : ", before the first step: put the particles into it, or make it wider"));
         }
         if constexpr (State::template stores<Density>) {
             const auto rho = phase[density];
@@ -232,8 +246,12 @@ private:
                 if (filled > settings_.inside_wall)
                     stop(scene, Cause::inside_wall, detail::type_name<A>(), scene[PhaseHandle<A>{}], i,
                          text("is inside ", detail::type_name<B>(), ", whose particles fill ", filled,
-                              " of its surroundings: a KernelRepulsion over 0.8 spacings keeps them apart, a higher "
-                              "sound speed lets less water in"));
+                              " of its surroundings",
+                              scene.steps() > 0
+                                  ? ": a KernelRepulsion over 0.8 spacings keeps them apart, a higher sound speed lets "
+                                    "less water in"
+                                  : ", before the first step: the two phases overlap as they were added; fill one only "
+                                    "where the other is not"));
             }
         }
     }
@@ -280,7 +298,7 @@ private:
     // what it was at a stress-free start.
     template <class Scene>
     void look_at_energy(const Scene& scene) {
-        if (!std::isfinite(settings_.energy))
+        if (!std::isfinite(settings_.energy) || falls_through_a_period(scene))
             return;
         Balance now{0, 0, 0, scene.particles(), scene.steps()};
         bool driven = false;
@@ -310,6 +328,15 @@ private:
             throw Diverged(text("energy has grown by ", excess_, " J without work, in a scene that has turned over ",
                                 turned_over, " J; ", moment(scene), reason(scene)),
                            Cause::energy, "", {}, scene.time(), scene.steps());
+    }
+
+    template <class Scene>
+    static bool falls_through_a_period(const Scene& scene) {
+        const auto& set = scene.settings();
+        for (std::size_t d = 0; d < dim; ++d)
+            if (set.gravity[d] != 0 && set.periodic_length[d] > 0)
+                return true;
+        return false;
     }
 
     // What rounding may have put into the potential energy since the first look, J. A position is off by at most half
@@ -371,5 +398,9 @@ private:
                     "forces that the limits do not know, or a start with overlaps; a lower cfl tells these apart");
     }
 };
+
+/// A guard is of the dimension of its bounds.
+template <int dim>
+Guard(const GuardSettings<dim>&) -> Guard<dim>;
 
 } // namespace imbibe

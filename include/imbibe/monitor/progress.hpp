@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <limits>
 
 namespace imbibe {
 
@@ -19,12 +20,17 @@ inline std::string clock_text(double seconds) {
     return out;
 }
 
-/// An observer for `run_until` that keeps one line of output up to date.
+/// An observer for `run_until` that keeps one line of output up to date. Before the first it prints what deserves a
+/// look in the scene (Solver::warnings), which describe() prints too.
 class Progress {
 public:
     /// @param end the time the run goes to, s
     /// @param live rewrite the line in place (a terminal), or print a new one now and then (a file)
-    Progress(double end, bool live) : end_(end), live_(live), started_(Clock::now()), shown_(started_) {}
+    /// @throws Error for an end that is below 0 s or not a number
+    Progress(double end, bool live) : end_(end), live_(live), started_(Clock::now()), shown_(started_) {
+        require(end >= 0, "Progress(end, live): end = ", end,
+                " s; it must be a number not below 0 s, the time that run_until is given");
+    }
 
     /// Is called after every step.
     template <class Scene>
@@ -36,22 +42,30 @@ public:
             first_ = false;
             work_ = 0;
             begin_ = scene.time();
+            for (const auto& warning : scene.warnings())
+                std::printf("Warning: %s\n", warning.c_str());
+            std::fflush(stdout);
         }
+        if (!cut_off(scene.last_step()))
+            whole_step_ = scene.last_step();
         if (!done && seconds(shown_, now) < (live_ ? 0.5 : 20))
             return;
         shown_ = now;
         std::printf("%s%s%s", live_ ? "\r" : "", line(scene).c_str(), live_ && !done ? "   " : "\n");
         std::fflush(stdout);
     }
-    /// What it prints: share, time, step, length of the step and what limits it, pace, wall time left.
+    /// What it prints: share, time, step, length of the step and what limits it, pace, wall time left. The step is the
+    /// last one that was not cut off by the end of the run, if there was one: how short that is says nothing.
     template <class Scene>
     std::string line(const Scene& scene) const {
+        const TimeStepLimit& step =
+            cut_off(scene.last_step()) && whole_step_.seconds > 0 ? whole_step_ : scene.last_step();
         const double wall = wall_seconds(), share = end_ > begin_ ? (scene.time() - begin_) / (end_ - begin_) : 1;
         char numbers[120], pace[60];
         std::snprintf(numbers, sizeof numbers, "%5.1f %%  t %.4f s  step %lld  dt %.2e s (", 100 * share, scene.time(),
-                      static_cast<long long>(scene.steps()), scene.last_step().seconds);
+                      static_cast<long long>(scene.steps()), step.seconds);
         std::snprintf(pace, sizeof pace, ")  %.2f M particle-steps/s  left ", work_ / wall * 1e-6);
-        return numbers + scene.last_step().reason + ", " + scene.last_step().where + pace +
+        return numbers + step.reason + ", " + step.where + pace +
                (share > 0 ? clock_text(wall * (1 - share) / share) : "?");
     }
     /// Wall time since the observer was made, s.
@@ -59,26 +73,33 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    static bool cut_off(const TimeStepLimit& step) { return step.reason == "end of run"; }
     static double seconds(Clock::time_point a, Clock::time_point b) {
         return std::chrono::duration<double>(b - a).count();
     }
     double end_, begin_ = 0, work_ = 0;
     bool live_, first_ = true;
     Clock::time_point started_, shown_;
+    TimeStepLimit whole_step_{0, "", ""}; ///< the last one that was not cut off by the end of the run
 };
 
-/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s.
+/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s. Also where it is
+/// first called, and where time has gone back, as to a checkpoint: what `what` has written there then belongs to the
+/// run that goes on.
 template <class F>
 class Every {
 public:
     /// @throws Error for an interval that is not above 0 s
     Every(double interval, F what) : interval_(interval), what_(std::move(what)) {
-        require(std::isfinite(interval) && interval > 0, "an output interval of ", interval,
-                " s; it must be above 0 s");
+        require(std::isfinite(interval) && interval > 0, "every(interval, ...): interval = ", interval,
+                " s; it must be a finite number above 0 s");
     }
     /// Is called after every step.
     template <class Scene>
     void operator()(Scene& scene) {
+        if (scene.time() < seen_)
+            next_ = 0;
+        seen_ = scene.time();
         if (scene.time() < next_ * interval_ * (1 - 1e-9))
             return;
         what_(scene);
@@ -94,8 +115,10 @@ private:
     double interval_;
     F what_;
     double next_ = 0;
+    double seen_ = -std::numeric_limits<double>::infinity(); ///< the time of the last call, s
 };
 /// Makes an `Every`, for `run_until`: `every(0.02, Snapshots("out"))`.
+/// @throws Error for an interval that is not above 0 s
 template <class F>
 Every<F> every(double interval, F what) {
     return Every<F>(interval, std::move(what));

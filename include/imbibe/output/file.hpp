@@ -3,6 +3,7 @@
 
 #include <imbibe/core/error.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +19,15 @@
 #endif
 
 namespace imbibe {
+
+namespace detail {
+
+/// Is `a` earlier than `b`, s? Times that differ by a billionth, as rounding lets them, are the same.
+inline bool earlier(double a, double b) {
+    return a < b - 1e-9 * std::abs(b);
+}
+
+} // namespace detail
 
 /// A file that appears under its name only when it is complete. Everything is written to `<path>.tmp` beside it, and
 /// commit() gives that its name in one step; a reader, or a run that is killed half-way, finds the previous file or

@@ -7,12 +7,14 @@
 
 namespace imbibe {
 
-/// Writes the particles of a scene that went wrong into `folder`, for ParaView. Returns a sentence about it, to be put
+/// Writes the particles of a scene that went wrong into `folder`, for ParaView, in place of those of another time that
+/// may be there. Returns a sentence about it, to be put
 /// behind the message of the error; also where they could not be written.
 template <class Scene>
 std::string keep_offending_state(const Scene& scene, const std::filesystem::path& folder) {
     try {
         Snapshots snapshots(folder);
+        snapshots.resume(scene, 0);
         snapshots(scene);
         return ". The particles as they were: " + folder.string();
     } catch (const Error& error) {
@@ -22,12 +24,12 @@ std::string keep_offending_state(const Scene& scene, const std::filesystem::path
 
 /// Runs `scene` to `end`, s, under `guard` with a checkpoint every `seconds` of wall time, each looked at by the guard
 /// before it is written; the first as the scene is now, so that one which is bad already is refused at once. Where the
-/// guard, or the solver, stops the run, its particles are written to the folder `<checkpoint>.broken`, for ParaView, and
-/// the scene goes back to the last checkpoint and goes on with steps half as long, at most `retries` times;
-/// `returned(error)` is told so each time, once the scene is back. Observers see time go back then: a table or a series
-/// of snapshots gets rows twice, unless `returned` mends it.
-/// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up, or there is nothing good
-/// to begin with
+/// guard, or the solver, stops the run, its particles are written to the folder `<checkpoint>.broken`, for ParaView,
+/// and the scene goes back to the last checkpoint and goes on with steps half as long, at most `retries` times;
+/// `returned(error)` is told so each time, once the scene is back. Observers see time go back then: `every` calls at
+/// once where it goes back to, and snapshots and tables over time replace what came after.
+/// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up, or there is nothing
+/// good to begin with
 template <class Scene, int dim, class Returned, class... Observers>
 void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::filesystem::path& checkpoint,
                      double seconds, int retries, const Returned& returned, Observers&&... observers) {

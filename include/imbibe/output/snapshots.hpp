@@ -9,13 +9,19 @@
 namespace imbibe {
 
 /// Writes `<folder>/<phase>_000000.vtp`, ... and `<folder>/<phase>.pvd` for every phase; the phase's name in lower
-/// case.
+/// case. As an observer of `run_until` by itself it writes before the first step and after every one;
+/// `every(interval, Snapshots(folder))` writes now and then.
+///
+/// What is in the folder tells one story, as VtkSeries says: a snapshot replaces those that are not earlier, so a run
+/// may go back to a checkpoint; the first of an object, at a time above 0 s, continues what the folder lists before
+/// that time, so a restarted run writes into the folder of the run before; and at 0 s a new series begins. A new run
+/// whose first snapshot comes later calls `resume(scene, 0)` before it, or has a folder of its own.
 class Snapshots {
 public:
     /// Throws Error now, not at the first snapshot, if the folder cannot be written.
     explicit Snapshots(std::filesystem::path folder) : folder_(std::move(folder)) { require_writable(folder_); }
 
-    /// One snapshot of the scene as it is.
+    /// One snapshot of the scene as it is. Throws Error as VtkSeries::write does.
     template <class Scene>
     void operator()(const Scene& scene);
 
@@ -26,13 +32,12 @@ public:
             most = std::max(most, series.size());
         return most;
     }
-    /// Goes on behind the first `snapshots` of an earlier run in the same folder, as after a restart. Throws Error if
-    /// they are not there.
+    /// Goes on behind the first `snapshots` of an earlier run in the same folder, whatever the time of the next one;
+    /// with 0 a new series begins. Throws Error if they are not there.
     template <class Scene>
     void resume(const Scene& scene, std::size_t snapshots) {
-        if (snapshots > 0)
-            scene.engine().for_each_phase(
-                [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<P>()).resume(snapshots); });
+        scene.engine().for_each_phase(
+            [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<P>()).resume(snapshots); });
     }
 
 private:

@@ -5,10 +5,13 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -30,6 +33,12 @@ using Cell = std::variant<double, std::string>;
 
 /// A CSV file that grows by one row at a time. The first line names the columns as `name [unit]`; every row is on disk
 /// when row() returns, and numbers have as many digits as it takes to read the same double back.
+///
+/// A table over time, one whose first column is `{"time", "s"}`, tells one story, as VtkSeries does: a row replaces
+/// those that are not earlier than it, as where a run has gone back to a checkpoint. The first row of an object, where
+/// its time is above 0 s, continues the file that is there with the rows before that time, as after a restart; at 0 s
+/// or before it starts the file anew. Times that differ by a billionth are the same. Any other table starts its file
+/// anew at once, as does one over time where there is none; resume() says otherwise.
 /// <!-- tests/output/test_pictures.cpp -->
 /// ```
 /// imbibe::Table table(folder / "run.csv", {{"time", "s"}, {"displacement", "m"}});
@@ -38,14 +47,22 @@ using Cell = std::variant<double, std::string>;
 /// ```
 class Table {
 public:
-    /// Starts the file anew. Throws Error if it cannot be written, or for a column with no name, a name twice, or a
-    /// line break or quotation mark in it.
-    Table(std::filesystem::path path, std::vector<Column> columns) : Table(std::move(path), std::move(columns), false) {
-        write(first_line(columns_) + "\n");
+    /// Starts the file anew; a table over time that is there stays until the first row says whether it is continued.
+    /// Throws Error if it cannot be written, or for a column with no name, a name twice, or a line break or quotation
+    /// mark in it.
+    Table(std::filesystem::path path, std::vector<Column> columns)
+        : Table(std::move(path), std::move(columns), Begin::as_the_first_row_says) {
+        std::error_code none_there;
+        if (!over_time_ || std::filesystem::file_size(path_, none_there) == 0 || none_there) {
+            start_anew();
+        } else {
+            open(std::ios::app);
+            begun_ = false;
+        }
     }
 
-    /// Continues the file of an earlier run, as after a restart: keeps its first `rows` rows and drops what follows.
-    /// Throws Error if it has other columns or fewer rows.
+    /// Continues the file of an earlier run, whatever the time of the next row: keeps its first `rows` rows and drops
+    /// what follows. Throws Error if it has other columns or fewer rows.
     static Table resume(std::filesystem::path path, std::vector<Column> columns, std::size_t rows) {
         const auto expected = first_line(columns);
         std::string kept, line;
@@ -60,20 +77,22 @@ public:
         AtomicFile whole(path);
         whole << kept;
         whole.commit();
-        return Table(std::move(path), std::move(columns), true);
+        return Table(std::move(path), std::move(columns), Begin::behind_what_is_there);
     }
 
     /// Appends one row. Throws Error unless it has one number for each column, and when the disk refuses it; the rows
-    /// before it stay.
+    /// before it stay. In a table over time Error, too, for a time that is not a finite number, and where the file that
+    /// is to be continued has other columns, or a row that does not begin with a time.
     void row(std::span<const double> values) {
         std::string line;
         for (const double value : values)
             line += number(value) + ',';
-        write_row(line, values.size());
+        write_row(line, values.size(), values.empty() ? std::nullopt : std::optional(values.front()));
     }
     /// Appends one row.
     void row(std::initializer_list<double> values) { row(std::span<const double>(values.begin(), values.size())); }
-    /// Appends one row of numbers and words. Throws Error for words with a line break or quotation mark in them, too.
+    /// Appends one row of numbers and words. Throws Error for words with a line break or quotation mark in them, too,
+    /// and for words in the place of a time.
     void row(std::initializer_list<Cell> cells) {
         std::string line;
         for (const Cell& cell : cells) {
@@ -85,14 +104,17 @@ public:
                 line += number(std::get<double>(cell)) + ',';
             }
         }
-        write_row(line, cells.size());
+        const auto* time = cells.size() > 0 ? std::get_if<double>(cells.begin()) : nullptr;
+        write_row(line, cells.size(), time != nullptr ? std::optional(*time) : std::nullopt);
     }
 
     /// The columns, in order.
     [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
 
 private:
-    Table(std::filesystem::path path, std::vector<Column> columns, bool append)
+    enum class Begin { as_the_first_row_says, behind_what_is_there };
+
+    Table(std::filesystem::path path, std::vector<Column> columns, Begin begin)
         : path_(std::move(path)), columns_(std::move(columns)) {
         require(!columns_.empty(), "table ", path_.string(), ": it has no columns");
         for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -103,7 +125,15 @@ private:
             for (std::size_t j = 0; j < i; ++j)
                 require(columns_[j].name != name, "table ", path_.string(), ": two columns are called ", name);
         }
-        out_.open(path_, append ? std::ios::binary | std::ios::app : std::ios::binary);
+        over_time_ = columns_.front().name == "time" && columns_.front().unit == "s";
+        if (begin == Begin::behind_what_is_there)
+            open(std::ios::app);
+    }
+
+    void open(std::ios::openmode how) {
+        out_.close();
+        out_.clear();
+        out_.open(path_, std::ios::binary | how);
         require(out_.is_open(), "cannot write the table ", path_.string(),
                 ": the file cannot be opened; check that its folder exists and may be written by you");
     }
@@ -122,11 +152,55 @@ private:
         std::array<char, 32> digits{};
         return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
     }
-    void write_row(std::string& line, std::size_t cells) { // each of its cells ends with a comma
+    void write_row(std::string& line, std::size_t cells, std::optional<double> time) {
         require(cells == columns_.size(), "table ", path_.string(), ": a row has ", cells, " cells for ",
                 columns_.size(), " columns");
-        line.back() = '\n';
+        line.back() = '\n'; // each of its cells ends with a comma
+        if (over_time_) {
+            require(time && std::isfinite(*time), "table ", path_.string(), ": a row at the time ",
+                    time ? number(*time) : "(words)", "; it must be a finite number of seconds");
+            keep_earlier_than(*time);
+        }
         write(line);
+        if (over_time_)
+            last_ = *time;
+    }
+
+    void start_anew() {
+        open(std::ios::trunc);
+        write(first_line(columns_) + "\n");
+    }
+    void keep_earlier_than(double seconds) {
+        if (!begun_ && !(seconds > 0))
+            start_anew();
+        else if (!begun_ || !detail::earlier(last_, seconds))
+            cut_off_at(seconds);
+        begun_ = true;
+    }
+    // Takes the rows from `seconds` on out of the file, in one step, so that it is whole whenever the program ends.
+    void cut_off_at(double seconds) {
+        const auto expected = first_line(columns_);
+        const auto remedy = "; give this table another name, or move that one away";
+        std::string line;
+        std::ifstream in(path_, std::ios::binary);
+        require(static_cast<bool>(std::getline(in, line)) && line == expected, "the first row of the table ",
+                path_.string(), ", at ", seconds, " s, would continue the file that is there, whose first line is '",
+                line, "' where this run writes '", expected, "'", remedy);
+        std::string kept = line + "\n";
+        while (std::getline(in, line) && !in.eof()) { // a last line without its end was cut off by a kill
+            double time = 0;
+            require(std::from_chars(line.data(), line.data() + line.size(), time).ec == std::errc{},
+                    "cannot continue the table ", path_.string(), ": its row '", line, "' does not begin with a time",
+                    remedy);
+            if (!detail::earlier(time, seconds))
+                break;
+            kept += line + "\n";
+        }
+        in.close();
+        AtomicFile whole(path_);
+        whole << kept;
+        whole.commit();
+        open(std::ios::app);
     }
     void write(const std::string& line) {
         out_.write(line.data(), static_cast<std::streamsize>(line.size()));
@@ -138,6 +212,9 @@ private:
     std::filesystem::path path_;
     std::vector<Column> columns_;
     std::ofstream out_;
+    bool over_time_ = false;
+    bool begun_ = true;                                      ///< is it settled what the file continues?
+    double last_ = -std::numeric_limits<double>::infinity(); ///< the time of the row written last, s
 };
 
 } // namespace imbibe
