@@ -155,9 +155,11 @@ std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
 /// The file is written beside its place, forced to the disk and then given its name in one step: whenever the program
 /// ends, there is a whole checkpoint. It begins with a readable description of the scene and ends with a checksum.
 ///
-/// The run that goes on and one that is continued from the file both find neighbours anew at the next step, and stay
-/// the same to the last bit. A run that writes none goes the same way only where that step would have found them anyway
-/// (Solver::search_is_due): always, unless Settings::search_interval is above 1. Checkpoints waits for such a step.
+/// The run that goes on and one that is continued from the file both sort their particles here (views end) and find
+/// neighbours anew at the next step, and stay the same to the last bit. A run that writes none goes the same way only
+/// where that step would have found them anyway (Solver::search_is_due): always, unless Settings::search_interval is
+/// above 1; Checkpoints waits for such a step. With integrators that move particles before they look for neighbours,
+/// PositionVerlet and, with such an interval, Leapfrog, it goes another way in the last digits.
 /// @param scene what is written
 /// @param path the file
 /// @param notes numbers of the program that go along
