@@ -63,6 +63,7 @@ TEST_CASE("The report of a scene names effects, fields, bytes, sweeps, neighbour
     says(report, "Water: 200 particles, spacing 20 mm, ");
     says(report,
          "effects: Tait<7>, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>, MonaghanViscosity<WendlandC2>");
+    says(report, "material: density 1000 kg/m^3, sound speed ");
     says(report, "Into<");
     says(report, "PressureExtrapolation<"); // clang++ leaves out what is the default
     says(report, sph::text("Schedule: ", Scene::Scene::plan.rounds, " rounds, "));

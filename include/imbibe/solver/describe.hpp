@@ -55,6 +55,20 @@ std::string field_names(TypeList<F...>) {
     return words;
 }
 
+/// The numbers of a phase's material, in words.
+template <class P>
+std::string material_in_words(const P& material) {
+    std::string words = text("density ", material.density, " kg/m^3");
+    if (P::moves)
+        words += text(", sound speed ", material.sound_speed, " m/s");
+    if constexpr (requires { material.shear_modulus; })
+        words += text(", shear modulus ", material.shear_modulus, " Pa (Young's modulus ", material.young_modulus(),
+                      " Pa, Poisson's ratio ", material.poisson_ratio(), ")");
+    else if (material.viscosity > 0)
+        words += text(", viscosity ", material.viscosity, " Pa s");
+    return words;
+}
+
 } // namespace detail
 
 /// The report of a scene: which effects are on, what a particle stores, how the work is scheduled, how many neighbours
@@ -71,8 +85,10 @@ std::string describe(Scene& scene) {
     const auto& engine = scene.engine();
     engine.for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
         out += text("  ", detail::type_name<P>(), ": ", s.size(), " particles, spacing ", s.material.spacing * 1e3,
-                    " mm, ", State::component_total * sizeof(Real),
-                    " bytes each\n    effects: ", detail::names_of(typename P::terms{}),
+                    " mm, support radius ", s.material.support_radius * 1e3, " mm, ",
+                    State::component_total * sizeof(Real),
+                    " bytes each\n    material: ", detail::material_in_words(s.material),
+                    "\n    effects: ", detail::names_of(typename P::terms{}),
                     "\n    fields:  ", detail::field_names(typename Scene::template FieldsOf<P>{}),
                     "\n    sweeps:  ", Costs::template sweeps<P>, " a step\n");
     });
