@@ -13,7 +13,8 @@ struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::Densi
                           sph::VolumePressure<K>, sph::ClearyViscosity<K>> {};
 struct Tank : sph::Wall<> {};
 struct Sides : sph::Coupling<Syrup, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                             sph::Into<Syrup, sph::VolumeContinuity<K>>, sph::ClearyViscosity<K>> {};
+                             sph::Into<Syrup, sph::VolumeContinuity<K>>, sph::Into<Tank, sph::NoSlipVelocity<K>>,
+                             sph::NoSlipViscosity<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Syrup, Tank, Sides>;
 
 int main(int argc, char** argv) {
