@@ -42,8 +42,8 @@ constexpr double viscosity_sum(const auto& material_a, const auto& material_b) {
 ///
 /// Not where angular momentum must be conserved exactly (the force is not along the line of centres): MonaghanViscosity
 /// does. Not with a kernel whose slope does not vanish at the centre (Spiky). In a coupling with a wall it sees the
-/// wall's own velocity in every layer of it, where reflection would ask for the opposite of the liquid's: the drag is too
-/// weak, the liquid sticks roughly. For a wall to which it sticks to second order put
+/// wall's own velocity in every layer of it, where reflection would ask for the opposite of the liquid's: the drag is
+/// too weak, the liquid sticks roughly. For a wall to which it sticks to second order put
 /// `Into<Wall, NoSlipVelocity<>>, NoSlipViscosity<>` in its place.
 ///
 /// Source: Morris, Fox and Zhu (1997), Eq. (22).
