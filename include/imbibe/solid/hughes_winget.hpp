@@ -33,8 +33,8 @@ struct HalfWay {
 /// that is too small, as that of VelocityGradient at a free surface: there the stress turns slower than the matter.
 /// Exact for steps of constant length only: L belongs to the last step, dt to this one. With the wrong `When` the
 /// stress falls behind the matter, by 0.39 rad in 100 turns of 126 steps each, and by a quarter of that with steps half
-/// as long. Not with MidpointRungeKutta and PredictorCorrector, whose rates are not those of a step (dt = 0): there it is
-/// JaumannStress.
+/// as long. Not with MidpointRungeKutta and PredictorCorrector, whose rates are not those of a step (dt = 0): there it
+/// is JaumannStress.
 ///
 /// Source: Hughes and Winget (1980). The density keeps the rate of its own equation.
 template <class When = AfterTheMove>
