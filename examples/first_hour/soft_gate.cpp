@@ -23,6 +23,8 @@ using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Gate, Tank, Si
 int main(int argc, char** argv) {
     const double dx = argc > 1 ? std::atof(argv[1]) : 0.01, end = 0.5, thickness = 0.02, height = 0.1, E = 2e5,
                  nu = 0.4;
+    sph::require(dx > 0 && dx <= 0.03, "the spacing of the particles, '", argc > 1 ? argv[1] : "",
+                 "', must be a number above 0 and at most 0.03 m, as in 0.005");
     const sph::Box<2> column{{0, 0}, {0.2, 0.4}}, room{{0, 0}, {0.8, 0.6}};
 
     Scene scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx});
