@@ -12,10 +12,10 @@ using K = sph::WendlandC2;
 struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
                           sph::VolumePressure<K>, sph::ClearyViscosity<K>> {};
 struct Tank : sph::Wall<> {};
-struct Sides : sph::Coupling<Syrup, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                             sph::Into<Syrup, sph::VolumeContinuity<K>>, sph::Into<Tank, sph::NoSlipVelocity<K>>,
-                             sph::NoSlipViscosity<K>> {};
-using Scene = sph::Solver<2, double, sph::SymplecticEuler, Syrup, Tank, Sides>;
+struct Contact : sph::Coupling<Syrup, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                               sph::Into<Syrup, sph::VolumeContinuity<K>>, sph::Into<Tank, sph::NoSlipVelocity<K>>,
+                               sph::NoSlipViscosity<K>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Syrup, Tank, Contact>;
 
 int main(int argc, char** argv) {
     const double dx = argc > 1 ? std::atof(argv[1]) : 0.01, end = 1;
@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
     for (const auto& x : sph::fill(block, dx))
         walls.push_back(x);
     scene.add(Tank{{.density = 1400}}, walls, dx);
-    scene.coupling<Sides>().set(sph::PressureExtrapolationParameters{.suction = false});
+    scene.coupling<Contact>().set(sph::PressureExtrapolationParameters{.suction = false});
     std::printf("%s", sph::describe(scene).c_str());
 
     scene.run_until(end, sph::Progress(end, false), sph::Guard<2>({.lower = {-0.1, -0.1}, .upper = {0.9, 0.7}}),
