@@ -12,6 +12,11 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/imbibe-config-version.cma
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/imbibe-config.cmake ${PROJECT_BINARY_DIR}/imbibe-config-version.cmake
     DESTINATION ${package_folder})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# For imbibe.pc. A folder that the compiler searches anyway must not be given once more: its order would change.
+get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+if(eigen_folder MATCHES "/eigen3$")
+    set(eigen_as_system " -isystem ${eigen_folder}")
+endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/imbibe.pc.in ${PROJECT_BINARY_DIR}/imbibe.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/imbibe.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 

@@ -9,9 +9,9 @@ using K = sph::WendlandC2;
 struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
                           sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
 struct Tank : sph::Wall<> {};
-struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
-using Scene = sph::Solver<3, double, sph::SymplecticEuler, Water, Tank, Sides>;
+struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+using Scene = sph::Solver<3, double, sph::SymplecticEuler, Water, Tank, Contact>;
 
 int main() {
     const double dx = 0.02, end = 1.0;

@@ -19,9 +19,9 @@ using K = sph::WendlandC2;
 struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
                           sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
 struct Tank : sph::Wall<> {};
-struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
-using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Sides>;
+struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Contact>;
 
 int main(int argc, char** argv) {
     sph::example::sleep_while_waiting(argv);
@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
         const auto column = scene.add(water, sph::fill(sph::Box<2>{{0, 0}, {L, 2 * L}}, dx), dx);
         scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>{{0, 0}, {4 * L, 6 * L}}, dx, 3, sph::Sides::y_high),
                   dx);
-        scene.coupling<Sides>().set(sph::PressureExtrapolationParameters{.suction = false});
+        scene.coupling<Contact>().set(sph::PressureExtrapolationParameters{.suction = false});
         std::printf("%s", sph::describe(scene).c_str());
 
         // T = t sqrt(2 g/L) and Z = x/L of the experiment

@@ -29,9 +29,9 @@ struct Gate
 struct Tank : sph::Wall<> {};
 struct Push : sph::Coupling<Water, Gate, sph::Into<Gate, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
-struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
-using Scene = sph::Solver<2, float, sph::Subcycled<Gate>, Water, Gate, Tank, Push, Sides>;
+struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+using Scene = sph::Solver<2, float, sph::Subcycled<Gate>, Water, Gate, Tank, Push, Contact>;
 
 int main(int argc, char** argv) {
     sph::example::sleep_while_waiting(argv);
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
         scene.add(Tank{{.density = 1000}}, walls, dx);
         const sph::PressureExtrapolationParameters no_suction{.suction = false};
         scene.coupling<Push>().set(no_suction);
-        scene.coupling<Sides>().set(no_suction);
+        scene.coupling<Contact>().set(no_suction);
         std::printf("%s", sph::describe(scene).c_str());
 
         // The way of the gate's lower end

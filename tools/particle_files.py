@@ -6,7 +6,12 @@ Files written by other programs (compressed, or with their numbers as text) are 
 import os
 import xml.etree.ElementTree as ElementTree
 
-import numpy as np
+from missing_packages import end_without
+
+try:
+    import numpy as np
+except ImportError as missing:
+    end_without(missing)
 
 NUMBERS = {"Float32": "f4", "Float64": "f8", "Int32": "i4", "Int64": "i8"}
 

@@ -2,6 +2,8 @@
 
 import sys
 
+from missing_packages import end_without
+
 try:
     import matplotlib
 
@@ -10,7 +12,7 @@ try:
     import numpy as np
     from matplotlib.colors import LinearSegmentedColormap
 except ImportError as missing:
-    sys.exit(f"{sys.argv[0]}: {missing.name} is missing; install python3-matplotlib")
+    end_without(missing)
 
 INK, GREY, FAINT = "#22303c", "#6b7783", "#dfe4e8"
 

@@ -14,15 +14,17 @@ struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::Densi
 struct Gate : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
                          sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped> {};
 struct Tank : sph::Wall<> {};
-struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
+struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
 struct Push : sph::Coupling<Water, Gate, sph::Into<Gate, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
-using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Gate, Tank, Sides, Push>;
+using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Gate, Tank, Contact, Push>;
 
 int main(int argc, char** argv) {
     const double dx = argc > 1 ? std::atof(argv[1]) : 0.01, end = 0.5, thickness = 0.02, height = 0.1, E = 2e5,
                  nu = 0.4;
+    sph::require(dx > 0 && dx <= 0.03, "the spacing of the particles, '", argc > 1 ? argv[1] : "",
+                 "', must be a number above 0 and at most 0.03 m, as in 0.005");
     const sph::Box<2> column{{0, 0}, {0.2, 0.4}}, room{{0, 0}, {0.8, 0.6}};
 
     Scene scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx});
@@ -42,7 +44,7 @@ int main(int argc, char** argv) {
     scene.hold(gate, [&](const auto& x) { return x[1] < 2 * fine; });
 
     const sph::PressureExtrapolationParameters no_suction{.suction = false};
-    scene.coupling<Sides>().set(no_suction);
+    scene.coupling<Contact>().set(no_suction);
     scene.coupling<Push>().set(no_suction);
     std::printf("%s", sph::describe(scene).c_str());
 

@@ -59,6 +59,7 @@
 #include <imbibe/solver/costs.hpp>
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/solver.hpp>
+#include <imbibe/state/hydrostatic.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
 #include <imbibe/time/dual_stepping.hpp>

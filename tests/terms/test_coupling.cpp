@@ -6,6 +6,8 @@
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/kernels/wendland.hpp>
 
+#include <Eigen/Eigenvalues>
+
 namespace coupling_test {
 
 using namespace hand;
@@ -134,6 +136,60 @@ TEST_CASE("the limit of the repulsion within a phase is that of its stiffest pai
               Approx(std::sqrt(1000 * V / k)).epsilon(1e-3));
         CHECK(std::isinf(KernelRepulsion<>::time_step_limit(water(), in, {.stiffness = 0, .range = range})));
     }
+}
+
+/// The highest frequency of particles of a square or cubic lattice that repel each other, 1/s.
+/// @param reach of the repulsion, in spacings of 8e-4 m, which is that of the support
+template <int dim, class Kernel>
+double lattice_frequency(double reach, double K) {
+    using M = Eigen::Matrix<double, dim, dim>;
+    using V = Eigen::Matrix<double, dim, 1>;
+    const double spacing = 8e-4, R = reach * spacing, cell = std::pow(spacing, dim), step = 1e-5;
+    const double scale = K * cell * cell * Kernel::template normalisation<dim>() / std::pow(R, dim); // J
+    const int far = static_cast<int>(std::ceil(reach)), waves = dim == 2 ? 16 : 8;
+    const auto for_each = [](int from, int to, const auto& f) { // all vectors of whole numbers
+        for (int x = from; x <= to; ++x)
+            for (int y = from; y <= to; ++y)
+                for (int z = dim == 3 ? from : 0; z <= (dim == 3 ? to : 0); ++z)
+                    f(Eigen::Vector3d(x, y, z).template head<dim>().eval());
+    };
+    std::vector<std::pair<V, M>> pairs;
+    for_each(-far, far, [&](const V& x) {
+        const double q = x.norm() / reach;
+        if (q > 0 && q < 1 - step) {
+            const M along = x * x.transpose() / x.squaredNorm();
+            const double curvature = (Kernel::derivative(q + step) - Kernel::derivative(q - step)) / (2 * step);
+            pairs.push_back(
+                {x, scale / (R * R) * (curvature * along + Kernel::derivative(q) / q * (M::Identity() - along))});
+        }
+    });
+    double highest = 0;
+    for_each(0, waves, [&](const V& wave) {
+        M sum = M::Zero();
+        for (const auto& [x, stiffness] : pairs)
+            sum += (1 - std::cos(pi / waves * wave.dot(x))) * stiffness;
+        highest = std::max(highest, Eigen::SelfAdjointEigenSolver<M>(sum).eigenvalues().maxCoeff());
+    });
+    return std::sqrt(highest / (1000 * cell));
+}
+template <int dim, class Kernel>
+void check_limit_on_lattices(double least, double most) {
+    const double K = 1e4, spacing = 8e-4;
+    for (const double reach : {1.1, 1.25, 1.5, 1.75, 2.0, 2.6, 3.0, 4.0}) {
+        CAPTURE(dim, reach);
+        const TimeStepInput in{reach * spacing, spacing, 0.3, 0, dim, 0, 0};
+        const double limit = KernelRepulsion<Kernel>::time_step_limit(water(), in, {.stiffness = K});
+        const double share = 0.5 * limit * lattice_frequency<dim, Kernel>(reach, K);
+        CHECK(share < most); // stable is what is below 1
+        CHECK((share > least || reach < 1.5));
+    }
+}
+
+TEST_CASE("the limit of the repulsion within a phase is below the fastest wave of a lattice, not far") {
+    check_limit_on_lattices<2, Spiky>(0.45, 0.56);
+    check_limit_on_lattices<3, Spiky>(0.4, 0.56);
+    check_limit_on_lattices<2, WendlandC2>(0.25, 0.45);
+    check_limit_on_lattices<3, WendlandC2>(0.25, 0.45);
 }
 
 TEST_CASE("the limit of the repulsion knows how near a pair is") {

@@ -4,6 +4,9 @@
 #include <imbibe/solid/hughes_winget.hpp>
 #include <imbibe/solid/jaumann_stress.hpp>
 #include <imbibe/solver/solver.hpp>
+#include <imbibe/time/leapfrog.hpp>
+#include <imbibe/time/position_verlet.hpp>
+#include <imbibe/time/staggered_leapfrog.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 
 #include <Eigen/Dense>
@@ -165,6 +168,64 @@ TEST_CASE("HughesWingetStress in a scene: the solver tells the terms how long th
     CHECK(exact < 1e-9);
     CHECK(single < 0.05); // round-off of 1e5 steps in single precision
     CHECK(jaumann > 0.1);
+}
+
+namespace on_a_circle {
+
+/// The exact gradient of a velocity that is linear about the origin.
+struct Measured {
+    using reads = Fields<position, velocity>;
+    using sets = Fields<velocity_gradient>;
+    IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+        using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+        const auto x = a[position], v = a[velocity];
+        const T out = dot(x, v) / squared_norm(x), spin = (x[0] * v[1] - x[1] * v[0]) / squared_norm(x);
+        auto L = Tensor<T, 2>::zero();
+        L(0, 0) = L(1, 1) = out;
+        L(1, 0) = spin;
+        L(0, 1) = -spin;
+        return L;
+    }
+};
+struct Pull { // towards the origin
+    using reads = Fields<position>;
+    using adds = Fields<acceleration>;
+    IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+        using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+        return T(-1) * a[position];
+    }
+};
+template <class When>
+struct Body : Solid<Measured, Pull, HughesWingetStress<When>> {};
+
+/// By how much the stress of a particle that goes round the origin has turned against its place, rad.
+template <class Integrator, class When>
+double lag(int turns) {
+    constexpr double dt = 0.05;
+    Solver<2, double, Integrator, Body<When>> scene({.support_radius = 0.1, .time_step = dt, .threads = 1});
+    Body<When> material;
+    material.density = 1000, material.sound_speed = 1, material.shear_modulus = 1;
+    const auto body = scene.add(material, {{1, 0}}, 0.05);
+    auto view = scene[body];
+    view[velocity].row(0) << 0, 1;
+    view[deviatoric_stress].row(0) << 1, 0, -1;
+    for (int k = 0; k < static_cast<int>(turns * 2 * pi / (2 * std::asin(dt / 2))); ++k)
+        scene.step();
+    const auto S = view[deviatoric_stress];
+    const double axis = 0.5 * std::atan2(S(0, 1), 0.5 * (S(0, 0) - S(0, 2)));
+    return std::remainder(axis - std::atan2(view[position](0, 1), view[position](0, 0)), pi);
+}
+
+} // namespace on_a_circle
+
+TEST_CASE("HughesWingetStress: which gradient an integrator hands it") {
+    using namespace on_a_circle;
+    CHECK(std::abs(lag<SymplecticEuler, AfterTheMove>(20)) < 1e-3);
+    CHECK(std::abs(lag<Leapfrog, AfterTheMove>(20)) < 1e-3);
+    CHECK(std::abs(lag<PositionVerlet, AfterTheMove>(20)) < 1e-3);
+    CHECK(std::abs(lag<StaggeredLeapfrog, HalfWay>(20)) < 1e-3);
+    CHECK(lag<PositionVerlet, HalfWay>(20) == Approx(-0.39 / 5).epsilon(0.02));
+    CHECK(lag<StaggeredLeapfrog, AfterTheMove>(20) == Approx(-0.39 / 5).epsilon(0.02));
 }
 
 } // namespace hughes_winget_test

@@ -1,6 +1,7 @@
 // The equations of state against Eq. (8) and their limits of the time step.
 #include "hand.hpp"
 
+#include <imbibe/solid/bending_modulus.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
 
@@ -53,6 +54,27 @@ TEST_CASE("the acoustic limit is 0.6 supports, but a spacing at least, at the fa
     CHECK(longitudinal > 1.5 * 31.6);
     CHECK(std::string_view(Tait<>::limit_name) == "sound");
     CHECK(std::string_view(LinearState::limit_name) == "sound");
+}
+
+TEST_CASE("moduli from Young's modulus and Poisson's ratio, and what is none") {
+    const double E = 3e6, nu = 0.4, G = shear_modulus_of(E, nu), K = 1100 * sq(sound_speed_of(E, nu, 1100));
+    CHECK(9 * K * G / (3 * K + G) == Approx(E));
+    CHECK((3 * K - 2 * G) / (6 * K + 2 * G) == Approx(nu));
+    CHECK(shear_modulus_of(1, -0.5) == 1);
+    static_assert(shear_modulus_of(1, 0) == 0.5); // usable in constants
+    using imbibe_test::contains;
+    CHECK_THROWS_WITH(sound_speed_of(E, 0.5, 1100),
+                      contains("sound_speed_of: Poisson's ratio = 0.5; it must be above -1"));
+    CHECK_THROWS_WITH(sound_speed_of(E, 0.6, 1100), contains("Poisson's ratio = 0.6"));
+    CHECK_THROWS_WITH(shear_modulus_of(E, -1), contains("shear_modulus_of: Poisson's ratio = -1"));
+    CHECK_THROWS_WITH(shear_modulus_of(E, std::nan("")), contains("Poisson's ratio = nan"));
+    CHECK_THROWS_WITH(shear_modulus_of(0, 0.3), contains("Young's modulus = 0 Pa"));
+    CHECK_THROWS_WITH(sound_speed_of(-E, 0.3, 1100), contains("Young's modulus = -3e+06 Pa"));
+    CHECK_THROWS_WITH(sound_speed_of(std::numeric_limits<double>::infinity(), 0.3, 1),
+                      contains("Young's modulus = inf"));
+    CHECK_THROWS_WITH(sound_speed_of(E, 0.3, 0), contains("density = 0 kg/m^3"));
+    CHECK(bending_modulus(E, 2) == Approx(4 * E / 3));
+    CHECK_THROWS_WITH(bending_modulus(-1, 2), contains("Young's modulus = -1 Pa"));
 }
 
 } // namespace state_test

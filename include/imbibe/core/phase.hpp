@@ -6,6 +6,7 @@
 #include <imbibe/core/term.hpp>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 
@@ -223,12 +224,31 @@ struct Coupling {
     }
 };
 
+namespace detail {
+// Refuses what is no elastic constant, with the function `where` in the message.
+constexpr void check_elastic_constants(std::string_view where, double young_modulus, double poisson_ratio) {
+    if (!(young_modulus > 0 && young_modulus < std::numeric_limits<double>::infinity()))
+        refuse({where, ": Young's modulus = ", young_modulus,
+                " Pa; it must be a finite number above 0 Pa (rubber 1e6, steel 2e11)"});
+    if (!(poisson_ratio > -1 && poisson_ratio < 0.5))
+        refuse({where, ": Poisson's ratio = ", poisson_ratio,
+                "; it must be above -1 and below 0.5, where sound is infinitely fast: take 0.45 to 0.49 for rubber (the "
+                "time step falls as sqrt(1 - 2 nu))"});
+}
+} // namespace detail
+
 /// Shear modulus from Young's modulus and Poisson's ratio, G = E / (2 (1 + nu)), Pa.
+/// @throws Error unless E is above 0 Pa and nu above -1 and below 0.5
 constexpr double shear_modulus_of(double young_modulus, double poisson_ratio) {
+    detail::check_elastic_constants("shear_modulus_of", young_modulus, poisson_ratio);
     return young_modulus / (2 * (1 + poisson_ratio));
 }
 /// Bulk sound speed from Young's modulus and Poisson's ratio: c^2 = K / rho with K = E / (3 (1 - 2 nu)), m/s.
+/// @throws Error unless E is above 0 Pa, nu above -1 and below 0.5, and the density rho above 0 kg/m^3
 inline double sound_speed_of(double young_modulus, double poisson_ratio, double rho) {
+    detail::check_elastic_constants("sound_speed_of", young_modulus, poisson_ratio);
+    require(std::isfinite(rho) && rho > 0, "sound_speed_of: density = ", rho,
+            " kg/m^3; it must be a finite number above 0 kg/m^3 (rubber 1100)");
     return std::sqrt(young_modulus / (3 * (1 - 2 * poisson_ratio)) / rho);
 }
 

@@ -70,14 +70,21 @@ struct KernelRepulsion {
     }
 
     static constexpr const char* limit_name = "repulsion stiffness";
-    /// Within one phase: sqrt(m/k), s, with the mass m of a particle and the greatest stiffness k that a pair has at any
-    /// distance, which is 90 K_f V^2/(pi H^5) for Spiky in 3D: no wave along a row of particles is faster than
-    /// 2 sqrt(k/m).
+    /// Within one phase: sqrt(m/k) min(1, (1.25/r)^(dim/2)), s, with the mass m of a particle, the greatest stiffness k
+    /// that a pair has at any distance, which is 90 K_f V^2/(pi H^5) for Spiky in 3D, and the reach r in spacings.
+    ///
+    /// A symplectic step is stable below 2 over the highest frequency omega: m omega^2 is the greatest eigenvalue of
+    /// sum_b K_ab (1 - cos(q.x_ab)) over all wave vectors q, with K_ab = W'' n n^T + W'/|x| (1 - n n^T) of a pair. In a
+    /// row of particles that see only the next one it is 4 k; a particle that sees more is held by all of them, whose
+    /// number grows as r^dim. On square, hexagonal, cubic and face-centred lattices with reaches from 1.1 to 4 spacings
+    /// the limit is at most 0.55 (Spiky, CubicSpline) and 0.4 (WendlandC2) of the longest stable step; what is left is
+    /// for disorder. (Poly6: 1.07. tests/terms/test_coupling.cpp has the square and the cubic lattice.)
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double cell = std::pow(in.spacing, in.dimension), reach = reach_of(in, in.spacing, parameters);
         const double k = energy_scale(cell, cell, reach, in.dimension, parameters) / sq(reach) *
                          greatest_curvature(std::numeric_limits<double>::infinity());
-        return k > 0 ? std::sqrt(material.density * cell / k) : std::numeric_limits<double>::infinity();
+        const double many = std::pow(std::min(1.0, 1.25 * in.spacing / reach), 0.5 * in.dimension);
+        return k > 0 ? std::sqrt(material.density * cell / k) * many : std::numeric_limits<double>::infinity();
     }
     /// Its limit in a coupling depends on the nearest pair (TimeStepInput::nearest).
     static constexpr bool limit_by_nearest = true;

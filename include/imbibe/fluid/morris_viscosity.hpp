@@ -41,8 +41,10 @@ constexpr double viscosity_sum(const auto& material_a, const auto& material_b) {
 /// finite; without the 0.01 h^2 the viscosity is not 1 to 2 % too low.
 ///
 /// Not where angular momentum must be conserved exactly (the force is not along the line of centres): MonaghanViscosity
-/// does. Not with a kernel whose slope does not vanish at the centre (Spiky). At walls it sees the wall's velocity; for
-/// a no-slip wall of second order use NoSlip in the coupling.
+/// does. Not with a kernel whose slope does not vanish at the centre (Spiky). In a coupling with a wall it sees the
+/// wall's own velocity in every layer of it, where reflection would ask for the opposite of the liquid's: the drag is
+/// too weak, the liquid sticks roughly. For a wall to which it sticks to second order put
+/// `Into<Wall, NoSlipVelocity<>>, NoSlipViscosity<>` in its place.
 ///
 /// Source: Morris, Fox and Zhu (1997), Eq. (22).
 template <class Kernel = WendlandC2>

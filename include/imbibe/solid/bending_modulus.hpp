@@ -3,6 +3,8 @@
 
 #include <imbibe/core/error.hpp>
 
+#include <cmath>
+
 namespace imbibe {
 
 /// E/(1 - 1/n^2), Pa: the Young's modulus to give a plate that is n layers of particles thick, so that it bends as one
@@ -17,8 +19,10 @@ namespace imbibe {
 ///
 /// Source: own; the second moment of n layers against that of the plate.
 ///
-/// Throws Error for fewer than two layers, which do not bend at all.
+/// Throws Error for fewer than two layers, which do not bend at all, and unless E is a finite number above 0 Pa.
 inline double bending_modulus(double young_modulus, int layers) {
+    require(std::isfinite(young_modulus) && young_modulus > 0, "bending_modulus: Young's modulus = ", young_modulus,
+            " Pa; it must be a finite number above 0 Pa");
     require(layers >= 2, "bending_modulus: a plate of ", layers, " layers of particles has no stiffness in bending; ",
             "give it at least 2, better 4");
     return young_modulus / (1 - 1.0 / (static_cast<double>(layers) * layers));

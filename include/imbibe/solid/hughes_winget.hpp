@@ -5,12 +5,13 @@
 
 namespace imbibe {
 
-/// The velocity gradient is taken where the step of the velocity has just ended: SymplecticEuler, which moves the
-/// particles with the same velocities last.
+/// The velocity gradient is taken where the motion with these velocities has just ended: SymplecticEuler, Leapfrog and
+/// PositionVerlet. (The forces of PositionVerlet stand half way of a step, but it is the velocities of the step before
+/// that have brought the particles there from where the last forces were.)
 struct AfterTheMove {
     static constexpr double back = 0.5; ///< how many steps the middle of the motion lies back
 };
-/// The velocity gradient is taken in the middle of the motion: integrators that evaluate rates half way.
+/// The velocity gradient is taken in the middle of the motion with these velocities: StaggeredLeapfrog.
 struct HalfWay {
     static constexpr double back = 0; ///< it does not
 };
@@ -30,7 +31,10 @@ struct HalfWay {
 ///
 /// Not a cure for what the Jaumann rate has wrong in large shear (S_xy = G sin(shear)), nor for a velocity gradient
 /// that is too small, as that of VelocityGradient at a free surface: there the stress turns slower than the matter.
-/// Exact for steps of constant length only: L belongs to the last step, dt to this one.
+/// Exact for steps of constant length only: L belongs to the last step, dt to this one. With the wrong `When` the
+/// stress falls behind the matter, by 0.39 rad in 100 turns of 126 steps each, and by a quarter of that with steps half
+/// as long. Not with MidpointRungeKutta and PredictorCorrector, whose rates are not those of a step (dt = 0): there it
+/// is JaumannStress.
 ///
 /// Source: Hughes and Winget (1980). The density keeps the rate of its own equation.
 template <class When = AfterTheMove>

@@ -22,6 +22,11 @@ struct LinearState {
         return sq(a.material.sound_speed) * (a[density] - a.material.density);
     }
 
+    /// The density at a pressure, rho = rho_0 + p/c^2, kg/m^3. @param p Pa
+    static double density_at(const auto& material, double p) {
+        return material.density + p / sq(material.sound_speed);
+    }
+
     static constexpr const char* limit_name = "sound";
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return acoustic_time_step(material, in);

@@ -3,6 +3,8 @@
 
 #include <imbibe/state/wave_speed.hpp>
 
+#include <cmath>
+
 namespace imbibe {
 
 /// p = rho_0 c^2 / gamma ((rho/rho_0)^gamma - 1), in Pa.
@@ -31,6 +33,13 @@ struct Tait {
         for (int k = 1; k < gamma; ++k)
             terms = T(1) + ratio * terms;
         return (sq(material.sound_speed) / gamma) * (a[density] - material.density) * terms;
+    }
+
+    /// The density at a pressure, rho = rho_0 (1 + gamma p/(rho_0 c^2))^(1/gamma), kg/m^3. @param p Pa, above
+    /// -rho_0 c^2/gamma
+    static double density_at(const auto& material, double p) {
+        const double stiffness = material.density * sq(material.sound_speed) / gamma;
+        return material.density * std::pow(1 + p / stiffness, 1.0 / gamma);
     }
 
     static constexpr const char* limit_name = "sound";

@@ -1,0 +1,120 @@
+// Liquid that starts with the pressure of its own weight.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/core/fields.hpp>
+#include <imbibe/core/phase.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace imbibe {
+
+namespace detail {
+
+// The density at which a material has a pressure, kg/m^3, as the one of its terms says that is an equation of state.
+template <class Material, class... Terms>
+double density_at(const Material& material, double p, TypeList<Terms...>) {
+    static_assert((requires { Terms::density_at(material, p); } || ...),
+                  "imbibe: start_hydrostatic: no term of this phase says its density at a pressure (density_at), as "
+                  "LinearState and Tait do");
+    double found = 0;
+    const auto ask = [&]<class Term>(std::type_identity<Term>) {
+        if constexpr (requires { Term::density_at(material, p); })
+            found = Term::density_at(material, p);
+    };
+    (ask(std::type_identity<Terms>{}), ...);
+    return found;
+}
+
+// The pressure at a depth under a surface that has none, dp/d(depth) = rho(p) g, Pa. @param g of gravity, m/s^2
+template <class Material>
+double hydrostatic_pressure(const Material& material, double g, double depth) {
+    constexpr int steps = 8; // of Runge and Kutta's; water is compressed so little that one would do, not a gas
+    const double h = depth / steps;
+    const auto slope = [&](double p) { return g * density_at(material, p, typename Material::terms{}); };
+    double p = 0;
+    for (int k = 0; k < steps; ++k) {
+        const double a = slope(p), b = slope(p + 0.5 * h * a), c = slope(p + 0.5 * h * b), d = slope(p + h * c);
+        p += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    return p;
+}
+
+} // namespace detail
+
+/// Gives the particles of a liquid the pressure of what stands above them: the density rho at which its equation of
+/// state has the pressure p of dp/d(depth) = rho g, and the mass that goes with it, rho V with the volume V that the
+/// particle had. To be called once, after the particles were added and before the first step:
+/// <!-- examples/guides/moving_wall.cpp -->
+/// ```
+/// sph::start_hydrostatic(scene, water, depth);
+/// ```
+/// Without it a liquid starts with no pressure at all, falls into its own springs, and the pressure swings between
+/// nothing and twice its mean for seconds of run time. Above the surface nothing is changed.
+///
+/// The mass has to follow because volumes, m/rho, are those between which the particles were put: with denser
+/// particles of the same mass they would be too small for their lattice, and the liquid would fall a little after all.
+/// So there is more of it, by g depth/(2 c^2) of itself: a quarter of a per cent where c^2 = 200 g depth.
+///
+/// An equation of state of a program's own takes part if it has `static double density_at(const auto& material, double
+/// p)`, kg/m^3, of the pressure p in Pa.
+///
+/// Not for a column that is let go at once (a dam break), whose pressure is another one; not where the liquid does not
+/// stand, layer by layer, on a wall or on a denser liquid. Not for two liquids one above the other: the surface of the
+/// lower one has a pressure.
+///
+/// @param scene the scene
+/// @param phase the liquid: what Solver::add returned
+/// @param surface how high the surface stands, m, measured upwards (against Settings::gravity) from the origin of the
+/// coordinates: with gravity along -y simply its y
+/// @throws Error for a scene without gravity or with a period along it, a liquid without particles, and a surface that
+/// is not a finite number or below all of them
+///
+/// Source: hydrostatics; that mass and density go together: the case still-water of docs/validation.md.
+template <class Scene, class Phase>
+void start_hydrostatic(Scene& scene, Phase phase, double surface) {
+    using Real = typename Scene::Real;
+    constexpr int dim = Scene::dimension;
+    const auto& settings = scene.settings();
+    double g = 0, offset = 0;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d) {
+        g = std::hypot(g, settings.gravity[d]);
+        offset -= settings.gravity[d] * settings.origin[d];
+        require(settings.gravity[d] == 0 || settings.periodic_length[d] == 0,
+                "start_hydrostatic: gravity has the component ", settings.gravity[d],
+                " m/s^2 along a periodic side, where nothing has a depth; set it to 0, or the "
+                "period in that direction");
+    }
+    require(g > 0, "start_hydrostatic: the scene has no gravity, so no depth has a pressure; give Settings::gravity");
+    offset /= g;
+
+    const auto view = scene[phase];
+    const auto& material = view.material();
+    const auto x = view[position];
+    auto rho = view[density];
+    auto m = view[mass];
+    const auto height = [&](int i) {
+        double up = 0;
+        for (int d = 0; d < dim; ++d)
+            up -= settings.gravity[static_cast<std::size_t>(d)] * static_cast<double>(x(i, d));
+        return up / g + offset;
+    };
+    require(view.size() > 0, "start_hydrostatic: the phase has no particles; add them before");
+    double lowest = height(0), highest = lowest;
+    for (int i = 1; i < view.size(); ++i) {
+        lowest = std::min(lowest, height(i));
+        highest = std::max(highest, height(i));
+    }
+    require(std::isfinite(surface) && surface > lowest, "start_hydrostatic: surface = ", surface,
+            " m; it must be a finite number above the lowest particle, ", lowest,
+            " m, usually half a spacing above the highest, ", highest, " m");
+    for (int i = 0; i < view.size(); ++i) {
+        const double p = detail::hydrostatic_pressure(material, g, std::max(surface - height(i), 0.0));
+        const double after = detail::density_at(material, p, typename std::remove_cvref_t<decltype(material)>::terms{});
+        m(i) = static_cast<Real>(static_cast<double>(m(i)) * after / static_cast<double>(rho(i)));
+        rho(i) = static_cast<Real>(after);
+    }
+}
+
+} // namespace imbibe
