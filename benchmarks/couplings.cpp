@@ -101,6 +101,7 @@ void write_curves(const std::filesystem::path& path, const std::vector<std::stri
     std::vector<sph::Column> columns{{"time", "s"}};
     for (const auto& name : names)
         columns.push_back({name, "mm"});
+    std::filesystem::remove(path); // or a table over time would be continued
     sph::Table table(path, columns);
     for (std::size_t k = 0; k < outcomes.front().curve.size(); ++k) {
         std::vector<double> row{end * double(k + 1) / double(outcomes.front().curve.size())};

@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
 
         // Until the mean flow has stopped growing
         sph::Snapshots snapshots("out-cylinders");
+        snapshots.resume(scene, 0); // a new series, though its first snapshot comes later
         double U = 0;
         for (double before = -1; std::abs(U - before) > 3e-4 * U || U <= 0;) {
             before = U;
