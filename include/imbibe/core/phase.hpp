@@ -231,9 +231,10 @@ constexpr void check_elastic_constants(std::string_view where, double young_modu
         refuse({where, ": Young's modulus = ", young_modulus,
                 " Pa; it must be a finite number above 0 Pa (rubber 1e6, steel 2e11)"});
     if (!(poisson_ratio > -1 && poisson_ratio < 0.5))
-        refuse({where, ": Poisson's ratio = ", poisson_ratio,
-                "; it must be above -1 and below 0.5, where sound is infinitely fast: take 0.45 to 0.49 for rubber (the "
-                "time step falls as sqrt(1 - 2 nu))"});
+        refuse(
+            {where, ": Poisson's ratio = ", poisson_ratio,
+             "; it must be above -1 and below 0.5, where sound is infinitely fast: take 0.45 to 0.49 for rubber (the "
+             "time step falls as sqrt(1 - 2 nu))"});
 }
 } // namespace detail
 

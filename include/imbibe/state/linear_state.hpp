@@ -22,7 +22,7 @@ struct LinearState {
         return sq(a.material.sound_speed) * (a[density] - a.material.density);
     }
 
-    /// The density at a pressure, rho = rho_0 + p/c^2, kg/m^3. @param p Pa
+    /// The density at a pressure p, Pa: rho = rho_0 + p/c^2, kg/m^3.
     static double density_at(const auto& material, double p) {
         return material.density + p / sq(material.sound_speed);
     }

@@ -35,8 +35,8 @@ struct Tait {
         return (sq(material.sound_speed) / gamma) * (a[density] - material.density) * terms;
     }
 
-    /// The density at a pressure, rho = rho_0 (1 + gamma p/(rho_0 c^2))^(1/gamma), kg/m^3. @param p Pa, above
-    /// -rho_0 c^2/gamma
+    /// The density at a pressure p, Pa, above -rho_0 c^2/gamma: rho = rho_0 (1 + gamma p/(rho_0 c^2))^(1/gamma),
+    /// kg/m^3.
     static double density_at(const auto& material, double p) {
         const double stiffness = material.density * sq(material.sound_speed) / gamma;
         return material.density * std::pow(1 + p / stiffness, 1.0 / gamma);
