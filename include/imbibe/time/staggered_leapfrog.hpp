@@ -22,7 +22,7 @@ namespace imbibe {
 /// come within reach during its first half are missed for D, at the rim, where compact kernels are near zero.
 ///
 /// Not in place of Subcycled where a stiff solid sets the step. A phase without rates of states (total Lagrangian)
-/// moves as with SymplecticEuler.
+/// moves as with SymplecticEuler. States see the velocities in the middle of the motion: HughesWingetStress<HalfWay>.
 ///
 /// Source: the leapfrog of Hockney (1970) and of finite-difference codes on staggered grids; for its reversibility in
 /// SPH see Zhang, Rezavand and Hu (2020), whose position Verlet halves the density's step as well.
