@@ -26,7 +26,8 @@ namespace restart_bits_test {
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Gas : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+struct Gas : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {
+};
 
 /// A hot gas, whose particles change their cells all the time.
 template <class Integrator>

@@ -171,7 +171,8 @@ TEST_CASE("One point very far away makes cells long, and nobody loses a neighbou
             const int set = search.add(x);
             search.update();
             for (int i = 0; i < 400; ++i)
-                REQUIRE(search.count(set, i) == ((x.rowwise() - x.row(i)).rowwise().squaredNorm().array() < 1).count() - 1);
+                REQUIRE(search.count(set, i) ==
+                        ((x.rowwise() - x.row(i)).rowwise().squaredNorm().array() < 1).count() - 1);
         }
 }
 

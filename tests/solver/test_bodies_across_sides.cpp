@@ -36,9 +36,7 @@ inline constexpr Misfit misfit{};
 struct Near {
     using reads = sph::Fields<sph::mass>;
     using adds = sph::Fields<company>;
-    constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
-        return b[sph::mass] * ab.value(K{});
-    }
+    constexpr auto operator()(const auto&, const auto& b, const auto& ab) const { return b[sph::mass] * ab.value(K{}); }
 };
 struct Compare {
     using reads = sph::Fields<sph::position>;

@@ -67,7 +67,8 @@ TEST_CASE("A wall that the host moves is found by lists that may serve many step
     CHECK(pushed(1000, 0) == Approx(known).epsilon(0.02));   // but what is at the rim of the support
 }
 
-struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
+struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {
+};
 struct Sticky : sph::Coupling<Syrup, Tank, sph::Into<Tank, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
 
 TEST_CASE("The speed of a wall counts in limits as soon as the host has set it", "[hosts]") {

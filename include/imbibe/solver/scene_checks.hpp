@@ -77,7 +77,8 @@ std::string warning_of_overlap(const Link& link, const Engine& engine, const Ori
     }
     return text(type_name<typename Link::A>(), " and ", type_name<typename Link::B>(),
                 " overlap at the start: one pair is ", least, " m apart, ", least / spacing,
-                " of their mean spacing, at ", point_text<Engine::dimension>(place), ". What pushes them apart may throw them; half a ",
+                " of their mean spacing, at ", point_text<Engine::dimension>(place),
+                ". What pushes them apart may throw them; half a ",
                 "spacing from face to face is usual. `fill(a - b, spacing)` and `remove_if` leave out what is in the ",
                 "other's way");
 }
@@ -96,7 +97,8 @@ template <class A, class B, class Couplings, class Engine>
 std::string warning_of_no_coupling(const Engine& engine) {
     if constexpr (is_fluid<A> && !B::moves && !are_coupled<A, B>(Couplings{}))
         if (!engine.template are_apart<A, B>())
-            return text(type_name<B>(), " is within reach of ", type_name<A>(), ", which does not see it: the two have ",
+            return text(type_name<B>(), " is within reach of ", type_name<A>(),
+                        ", which does not see it: the two have ",
                         "no coupling. List one in the solver, as in struct Sides : Coupling<", type_name<A>(), ", ",
                         type_name<B>(), ", ...>");
     return {};
@@ -129,9 +131,10 @@ std::string warning_of_other_support(const Engine& engine) {
             const auto& b = engine.template state<B>();
             const double own = a.material.support_radius, other = b.material.support_radius;
             if (a.size() > 0 && b.size() > 0 && own < other * (1 - 1e-9))
-                return text(type_name<A>(), "'s sums reach ", other, " m over ", type_name<B>(), ", the greater of the ",
-                            "two support radii, and ", own, " m over itself, so that pushes from both sides do not ",
-                            "cancel; give ", type_name<B>(), " a support_radius that is not greater");
+                return text(type_name<A>(), "'s sums reach ", other, " m over ", type_name<B>(),
+                            ", the greater of the ", "two support radii, and ", own,
+                            " m over itself, so that pushes from both sides do not ", "cancel; give ", type_name<B>(),
+                            " a support_radius that is not greater");
         }
         return {};
     };

@@ -33,14 +33,14 @@ struct Settings {
     /// neighbours they have, as the inner steps of dual time stepping do (Zhang, Rezavand and Hu 2020), unless a
     /// particle may have travelled more than 5 % of a support radius. Pairs that come within reach meanwhile are
     /// missed: at 0.95 H and more the gradient of WendlandC2 is below 0.2 % of its greatest value, at 0.9 H (both have
-    /// come 5 % nearer) it is 0.9 %. Positions leave a periodic box by that much, too. See `search_skin`. Walls that the
-    /// program moves are seen to move; of a phase that moves by itself only its velocities are, so a program that writes
-    /// its positions takes 1.
+    /// come 5 % nearer) it is 0.9 %. Positions leave a periodic box by that much, too. See `search_skin`. Walls that
+    /// the program moves are seen to move; of a phase that moves by itself only the velocities are looked at, so a
+    /// program that writes its positions takes 1.
     int search_interval = 1;
     /// Neighbours that serve several steps are looked for this much further than the support radius, as a share of it,
     /// and serve until a particle may have travelled half of that: then no pair is missed (Verlet 1967). 0: the 5 % of
-    /// `search_interval`. It also serves the short steps of DualStepping. A wide skin makes searches rare and sums long; 0.1 is a good choice where steps are short
-    /// beside the particles' own motion.
+    /// `search_interval`. It also serves the short steps of DualStepping. A wide skin makes searches rare and sums
+    /// long; 0.1 is a good choice where steps are short beside the particles' own motion.
     double search_skin = 0;
     /// Threads; 0: all of the machine.
     int threads = 0;

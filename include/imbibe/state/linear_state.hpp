@@ -23,9 +23,7 @@ struct LinearState {
     }
 
     /// The density at a pressure p, Pa: rho = rho_0 + p/c^2, kg/m^3.
-    static double density_at(const auto& material, double p) {
-        return material.density + p / sq(material.sound_speed);
-    }
+    static double density_at(const auto& material, double p) { return material.density + p / sq(material.sound_speed); }
 
     static constexpr const char* limit_name = "sound";
     static double time_step_limit(const auto& material, const TimeStepInput& in) {

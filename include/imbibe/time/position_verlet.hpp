@@ -9,8 +9,11 @@ namespace imbibe {
 /// As stable and as cheap as SymplecticEuler and of second order in dt for forces that depend on positions alone.
 /// Neighbours are those of the middle of the step. HughesWingetStress<AfterTheMove> suits it: between two evaluations
 /// all motion is by the same velocities. A checkpoint sorts the particles at the end of a step, so the bits of a run
-/// depend on when it wrote one; what is continued from it has those of the run that wrote it. Not where densities and pressures that are written out are to belong
-/// to the positions beside them: a state stands where the forces were evaluated, in the middle of the step.
+/// depend on when it wrote one; what is continued from it has those of the run that wrote it.
+///
+/// Not where densities and pressures that are written out are to belong to the positions beside them: a state stands
+/// where the forces were evaluated, in the middle of the step.
+///
 /// Source: Tuckerman, Berne and Martyna (1992); one evaluation of all terms a step.
 struct PositionVerlet {
     template <class Engine>
