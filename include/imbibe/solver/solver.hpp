@@ -188,7 +188,8 @@ public:
 
     // ---- running it ----
 
-    /// Changes gravity from now on, m/s^2: for a tank that is shaken or tilted, in the frame of the tank.
+    /// Changes gravity from now on, m/s^2: for a tank that is shaken or tilted, in the frame of the tank. A checkpoint
+    /// does not hold it, and to a Guard what it does is energy from nowhere (GuardSettings::energy).
     /// @throws Error for a component that is not finite; gravity is then as it was
     void set_gravity(const std::array<double, static_cast<std::size_t>(dim)>& gravity) {
         Settings<dim> changed = settings_;
