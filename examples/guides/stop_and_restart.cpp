@@ -30,30 +30,20 @@ Scene make() {
     return scene;
 }
 
-/// Runs until `end`, s, from the start or, if there is a checkpoint, from there.
+/// Runs until `end`, s, from the start or, if there is a checkpoint, from there. Table and snapshots need not be told:
+/// what the run writes from its first moment on replaces what is there of that time and later.
 Scene run(double end) {
     Scene scene = make();
-    sph::CheckpointNotes notes;
-    const bool goes_on = std::filesystem::exists(checkpoint);
-    if (goes_on) {
-        notes = sph::read_checkpoint(scene, checkpoint);
-        std::printf("goes on from %.4f s, after %.0f rows of the table\n", scene.time(), notes["rows"]);
+    if (std::filesystem::exists(checkpoint)) {
+        sph::read_checkpoint(scene, checkpoint);
+        std::printf("goes on from %.4f s\n", scene.time());
     }
-
-    const std::vector<sph::Column> columns{{"time", "s"}, {"front", "m"}};
-    sph::Table table = goes_on ? sph::Table::resume(curve, columns, static_cast<std::size_t>(notes["rows"]))
-                               : sph::Table(curve, columns);
-    auto rows = sph::every(0.01, [&](const Scene& now) {
+    sph::Table table(curve, {{"time", "s"}, {"front", "m"}});
+    const auto row = [&](const Scene& now) {
         table.row({now.time(), now.get<Water>()[sph::position].col(0).maxCoeff()});
-        ++notes["rows"];
-    });
-    auto snapshots = sph::every(0.05, sph::Snapshots(folder));
-    if (goes_on) { // what is due up to now was written before
-        rows.resume(scene.time());
-        snapshots.resume(scene.time());
-    }
-    sph::Checkpoints checkpoints(checkpoint, 600, 0.1); // every ten minutes, and at every 0.1 s of simulated time
-    scene.run_until(end, rows, snapshots, [&](Scene& now) { checkpoints(now, [&] { return notes; }); });
+    };
+    scene.run_until(end, sph::every(0.01, row), sph::every(0.05, sph::Snapshots(folder)),
+                    sph::Checkpoints(checkpoint, 600, 0.1)); // every ten minutes, and every 0.1 s of simulated time
     return scene;
 }
 

@@ -8,8 +8,8 @@
 namespace imbibe {
 
 /// Writes the particles of a scene that went wrong into `folder`, for ParaView, in place of those of another time that
-/// may be there. Returns a sentence about it, to be put
-/// behind the message of the error; also where they could not be written.
+/// may be there. Returns a sentence about it, to be put behind the message of the error; also where they could not be
+/// written.
 template <class Scene>
 std::string keep_offending_state(const Scene& scene, const std::filesystem::path& folder) {
     try {

@@ -31,7 +31,7 @@ struct Periodic {
     std::array<double, static_cast<std::size_t>(dim)> lower{}, length{};
 };
 
-/// x moved by whole periods into [lower, lower + length), m. What is not a finite number becomes none.
+/// x moved by whole periods into [lower, lower + length), m. What is not a finite number does not become one.
 template <class Real>
 Real into_period(Real x, Real lower, Real length) {
     if (x >= lower && x < lower + length)

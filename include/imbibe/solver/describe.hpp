@@ -115,7 +115,7 @@ std::string describe(Scene& scene) {
     for (const auto& warning : scene.warnings())
         out += "Warning: " + warning + "\n";
 #ifndef __OPTIMIZE__
-    out += "Warning: compiled without optimisation, which takes about a hundred times as long; give the compiler -O3 "
+    out += "Warning: compiled without optimisation, which is many times slower; give the compiler -O3 "
            "-march=native, or CMake -DCMAKE_BUILD_TYPE=Release\n";
 #endif
     return out;

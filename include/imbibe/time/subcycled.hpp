@@ -85,8 +85,7 @@ struct Subcycled {
         engine.template drift_if<IsOther>(dt);
 
         auto* const mean = fast.field(mean_velocity);
-        std::fill_n(mean, Engine::dimension * fast.stride(),
-                    std::remove_pointer_t<decltype(fast.field(mean_velocity))>(0));
+        std::fill_n(mean, Engine::dimension * fast.stride(), std::remove_pointer_t<decltype(mean)>(0));
         engine.template keep_accelerations_if<IsFast>(); // by couplings and gravity
         for (int k = 0; k < substeps; ++k) {
             engine.template restore_accelerations_if<IsFast>();
