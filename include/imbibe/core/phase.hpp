@@ -102,8 +102,8 @@ struct Fluid {
     double density = required;      ///< reference density rho_0, kg/m^3
     double sound_speed = required;  ///< speed of sound c in the equation of state, m/s; ten times the greatest speed
     double viscosity = 0;           ///< dynamic viscosity eta, Pa s
-    double support_radius = 0;      ///< H of this phase, m; 0: the scene's. Sums over another phase reach the greater
-                                    ///< H of the two, so what a fluid is coupled to should not have a greater one
+    double support_radius = 0;      ///< H of this phase, m; 0: the scene's. Its sums over walls and solids, and theirs
+                                    ///< over it, reach as far; those between two fluids the greater H of the two
     double spacing = 0;             ///< particle spacing, m; set when particles are added
     Coefficients<Terms...> coefficients{};
 

@@ -122,26 +122,21 @@ std::string warning_of_soft_fluid(const Engine& engine) {
     return {};
 }
 
-/// A sentence if the sums of a fluid over another phase reach further than those over itself, or an empty one.
+/// A sentence if two fluids that meet have different support radii, or an empty one.
 template <class C, class Engine>
 std::string warning_of_other_support(const Engine& engine) {
-    const auto one = [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) -> std::string {
-        if constexpr (is_fluid<A>) {
-            const auto& a = engine.template state<A>();
-            const auto& b = engine.template state<B>();
-            const double own = a.material.support_radius, other = b.material.support_radius;
-            if (a.size() > 0 && b.size() > 0 && own < other * (1 - 1e-9))
-                return text(type_name<A>(), "'s sums reach ", other, " m over ", type_name<B>(),
-                            ", the greater of the ", "two support radii, and ", own,
-                            " m over itself, so that pushes from both sides do not ", "cancel; give ", type_name<B>(),
-                            " a support_radius that is not greater");
-        }
-        return {};
-    };
-    using First = typename C::First;
-    using Second = typename C::Second;
-    const std::string sentence = one(std::type_identity<First>{}, std::type_identity<Second>{});
-    return sentence.empty() ? one(std::type_identity<Second>{}, std::type_identity<First>{}) : sentence;
+    using A = typename C::First;
+    using B = typename C::Second;
+    if constexpr (is_fluid<A> && is_fluid<B>) {
+        const auto& a = engine.template state<A>();
+        const auto& b = engine.template state<B>();
+        const double of_a = a.material.support_radius, of_b = b.material.support_radius;
+        if (a.size() > 0 && b.size() > 0 && std::abs(of_a - of_b) > 1e-9 * (of_a + of_b))
+            return text(type_name<A>(), " and ", type_name<B>(), " have support radii of ", of_a, " and ", of_b,
+                        " m; sums over each other reach the greater one, so that pushes from both sides do not cancel ",
+                        "in the other fluid; give both the same");
+    }
+    return {};
 }
 
 /// Throws Error if two couplings give different coefficients to one part of one phase, which both ask for.

@@ -79,10 +79,15 @@ public:
     const Motion& motion() const {
         return motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
     }
-    /// H between two phases: the larger of the two.
+    /// H between two phases: that of the fluid, so that what pushes it from two sides is summed over the same reach;
+    /// the greater one of two fluids, and where none is.
     template <class A, class B>
     double support() const {
-        return std::max(state<A>().material.support_radius, state<B>().material.support_radius);
+        const double a = state<A>().material.support_radius, b = state<B>().material.support_radius;
+        if constexpr (is_fluid<A> != is_fluid<B>)
+            return is_fluid<A> ? a : b;
+        else
+            return std::max(a, b);
     }
     /// Calls f(state) for every phase.
     template <class F>

@@ -121,7 +121,7 @@ private:
             return;
         TimeStepInput in = input_of<A>();
         const TimeStepInput other = input_of<B>();
-        in.support_radius = std::max(in.support_radius, other.support_radius);
+        in.support_radius = engine_.template support<A, B>();
         in.other_spacing = other.spacing;
         in.other_max_speed = other.max_speed;
         in.nearest = engine_.template nearest_of<C>();
