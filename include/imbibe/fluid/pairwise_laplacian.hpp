@@ -8,14 +8,15 @@
 
 namespace imbibe::detail {
 
-// H^2 times the integral of |grad W|/r over the support, by the midpoint rule. 14 for WendlandC2 in 2D and in 3D.
+// H^2 times the integral of |grad W|/r over the support, by the midpoint rule. 14 for WendlandC2 in 2D and in 3D. With a
+// softening s, in supports, that of |grad W| r/(r^2 + s^2 H^2).
 template <class Kernel, int dim>
-constexpr double pairwise_laplacian_strength() {
+constexpr double pairwise_laplacian_strength(double softening = 0) {
     constexpr int n = 256;
     double integral = 0;
     for (int k = 0; k < n; ++k) {
         const double q = (k + 0.5) / n;
-        integral -= power<dim - 2>(q) * Kernel::derivative(q) / n;
+        integral -= power<dim>(q) / (sq(q) + sq(softening)) * Kernel::derivative(q) / n;
     }
     constexpr double circle = 2 * 3.14159265358979323846, sphere = 2 * circle;
     return (dim == 2 ? circle : sphere) * Kernel::template normalisation<dim>() * integral;

@@ -1,0 +1,50 @@
+// A slow pull of the density towards what the places of the particles say: a continuity equation that cannot drift.
+#pragma once
+
+#include <imbibe/fluid/summation_density.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace imbibe {
+
+/// Coefficients of SummationRelaxation.
+struct SummationRelaxationParameters {
+    /// The time in which a deviation falls to 1/e, s. To be given: about that in which the flow crosses the vessel. It
+    /// should be long beside H/c, or sound is damped and the noise of the sum is heard.
+    double time = std::numeric_limits<double>::quiet_NaN();
+
+    /// Throws Error for a number out of range. @param where the phase in the message
+    void check(std::string_view where) const {
+        require(time > 0, where, ": SummationRelaxationParameters::time = ", time,
+                " s; it must be given and above 0 s: about the time in which the flow crosses the vessel");
+    }
+};
+
+/// drho_a/dt += (rho_sum - rho_a)/time, in kg/m^3/s, with rho_sum = rho_0 sum_b V_0b W_ab / (the same sum on a
+/// lattice).
+template <class Kernel = WendlandC2>
+struct SummationRelaxation {
+    using Parameters = SummationRelaxationParameters;
+
+    struct Pull {
+        using reads = Fields<density, kernel_sum, lattice_kernel_sum>;
+        using adds = Fields<density_rate>;
+        static constexpr bool in_packs = true;
+        Parameters parameters{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+            const auto sum = a.material.density * a[kernel_sum] / a[lattice_kernel_sum];
+            return (1 / parameters.time) * (sum - a[density]);
+        }
+    };
+    using parts = Parts<SummationNeighbours<Kernel>, LatticeSum<Kernel>, Pull>;
+
+    static constexpr const char* limit_name = "summation relaxation";
+    /// 2 time, s: after a longer step the density would be further from the sum than before.
+    static double time_step_limit(const auto&, const TimeStepInput&, const Parameters& parameters) {
+        return 2 * parameters.time;
+    }
+};
+
+} // namespace imbibe
