@@ -66,6 +66,19 @@ void add_limits(Table& table) {
         return shaken_channel<Sound, RiemannPlates>(p, liquid<Sound>(), 2.6,
                                                     sph::RiemannWallPressureParameters{.eta = 1e6});
     });
+    row("VolumePressure between fluids", "shaken gas, a thousandth of the density, beside water", [](const Plan& p) {
+        return shaken_layers<SoundMeetsGas>(p, liquid<Sound>(), Gas{{.density = 1, .sound_speed = 30}});
+    });
+    const char* soft = "shaken raft, soft, a twentieth of the density, beside water";
+    row("VolumePressure at a solid", soft,
+        [](const Plan& p) { return shaken_layers<RaftOnPressure>(p, liquid<Sound>(), raft<Raft>(0.05)); });
+    row("RiemannWallPressure", soft,
+        [](const Plan& p) { return shaken_layers<RaftOnRiemann>(p, liquid<Sound>(), raft<Raft>(0.05)); });
+    row("SurfaceNormalPressure", soft, [](const Plan& p) { // whose forces do other work than VolumeContinuity counts
+        auto water = liquid<Monaghan>();
+        water.set(sph::MonaghanViscosityParameters{.alpha = 0.1});
+        return shaken_layers<RaftOnNormals>(p, water, raft<RaftWithNormals>(0.05));
+    });
     const auto repelled = [&](const char* name, double stiffness, double support) {
         row(name, "particles between two plates", [stiffness, support](const Plan& p) {
             return bounce<sph::KernelRepulsion<>>(p, support, sph::KernelRepulsionParameters{.stiffness = stiffness});

@@ -5,6 +5,7 @@
 #include "solids.hpp"
 
 #include <imbibe/coupling/modified_repulsion.hpp>
+#include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/geometry/jitter.hpp>
@@ -117,6 +118,35 @@ Outcome shaken_sheet(const Plan& plan, double rough) {
     const auto flat = sph::fill(sph::Box<dim>{lower, upper}, spacing);
     const auto sheet = scene.add(body, sph::jitter<dim>(flat, rough * spacing, 7), spacing);
     return march_shaken<dim>(scene, sheet, 1e-4 * body.longitudinal_wave_speed(), plan);
+}
+
+struct Gas : Liquid<> {};
+struct SoundMeetsGas : sph::Coupling<Sound, Gas, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>> {};
+using Raft = Kirchhoff::Body;
+struct RaftWithNormals
+    : sph::Solid<sph::ReferenceCorrection<C2>, sph::DeformationGradient<C2>, sph::StVenantKirchhoff,
+                 sph::TotalLagrangianForce<C2>, sph::HourglassControl<C2>, sph::ReferenceSurfaceNormal<C2>> {};
+struct RaftOnPressure : sph::Coupling<Sound, Raft, sph::Into<Raft, sph::PressureExtrapolation<C2>>,
+                                      sph::VolumePressure<C2>, sph::Into<Sound, sph::VolumeContinuity<C2>>> {};
+struct RaftOnNormals : sph::Coupling<Monaghan, RaftWithNormals, sph::SurfaceNormalPressure<C2>,
+                                     sph::Into<Monaghan, sph::VolumeContinuity<C2>>> {};
+struct RaftOnRiemann : sph::Coupling<Sound, Raft, sph::Into<Sound, sph::RiemannWallNormal<C2>>,
+                                     sph::RiemannWallPressure<C2>, sph::Into<Sound, sph::RiemannWallContinuity<C2>>> {};
+
+/// A layer of water, periodic on all sides, under one of something light, which is shaken.
+template <class Contact, class Water, class Light>
+Outcome shaken_layers(const Plan& plan, const Water& water, const Light& light) {
+    constexpr double across = 16 * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, Water, Light, Contact> scene(
+        {.support_radius = 2.6 * dx, .periodic_length = {across, across}, .threads = 1});
+    scene.add(water, sph::fill(sph::Box<2>{{0, 0}, {across, across / 2}}, dx), dx);
+    const auto above = scene.add(light, sph::fill(sph::Box<2>{{0, across / 2}, {across, across}}, dx), dx);
+    return march_shaken<2>(scene, above, 1e-4 * light.sound_speed, plan);
+}
+/// A soft solid that is `light` times as heavy as water, its waves a third as fast as sound.
+template <class Body>
+Body raft(double light) {
+    return elastic<Body>(sph::sq(10.0) * 1000 * light, 0.3, 1000 * light);
 }
 
 struct Floor : sph::Wall<> {};

@@ -24,7 +24,7 @@ constexpr std::array reasons{"sound",        "density floor",       "density dif
                              "elastic wave", "hourglass stiffness", "solid viscosity",
                              "repulsion",    "repulsion stiffness", "corrected gradients",
                              "acceleration", "Riemann dissipation", "Riemann smoothing of the density",
-                             "spring"};
+                             "spring",       "pressure between phases"};
 
 bool is_among(const auto& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();

@@ -6,6 +6,7 @@
 
 #include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/state/wave_speed.hpp>
 
 namespace imbibe {
 
@@ -141,6 +142,12 @@ struct SurfaceNormalPressure {
         }
     };
     using parts = Parts<Volume, Push>;
+
+    static constexpr const char* limit_name = "pressure between phases";
+    /// That of interface_time_step, s.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        return interface_time_step(material_a, material_b, in);
+    }
 };
 
 } // namespace imbibe

@@ -79,6 +79,12 @@ struct CorrectedContinuity {
         }
     };
     using parts = Parts<Volume, Sweep>;
+
+    static constexpr const char* limit_name = "pressure between phases";
+    /// In a coupling: that of interface_time_step, s.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        return interface_time_step(material_a, material_b, in);
+    }
 };
 
 /// dv_a/dt = - 1/m_a sum_b V_a V_b (p_a L_a + p_b L_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho and L of

@@ -3,6 +3,7 @@
 
 #include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/state/wave_speed.hpp>
 
 namespace imbibe {
 
@@ -47,6 +48,12 @@ struct VolumePressure {
         }
     };
     using parts = Parts<Volume, Push>;
+
+    static constexpr const char* limit_name = "pressure between phases";
+    /// In a coupling: that of interface_time_step, s.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        return interface_time_step(material_a, material_b, in);
+    }
 };
 
 } // namespace imbibe

@@ -4,6 +4,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/rule.hpp>
 #include <imbibe/fluid/riemann.hpp>
+#include <imbibe/state/wave_speed.hpp>
 
 namespace imbibe {
 
@@ -151,6 +152,12 @@ struct RiemannWallContinuity {
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
         return 2 * a[density] * (b[mass] / b[density]) * dot(a[velocity] - b[velocity], ab.offset) *
                ab.gradient(Kernel{});
+    }
+
+    static constexpr const char* limit_name = "pressure between phases";
+    /// That of interface_time_step, s: both this and RiemannWallPressure are twice what they are between two fluids.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        return interface_time_step(material_a, material_b, in, 4);
     }
 };
 
