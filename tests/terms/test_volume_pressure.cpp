@@ -206,6 +206,20 @@ TEST_CASE("the limit of DensityDiffusion is stable and not timid") {
     }
 }
 
+TEST_CASE("what is light beside a stiff fluid limits the step, on either side of a coupling, and a wall does not") {
+    const TimeStepInput in{2.6e-3, 1e-3, 0.5, 0, 3, 8e-4, 0.25};
+    // K = 1000 * 30^2 Pa on what weighs 2 kg/m^3; K of the gas, 2 * 60^2 Pa, on water is next to nothing
+    const double between_fluids = 0.6 * 2.6e-3 / (std::sqrt(0.18 * 1000 * 30 * 30 / 2) + 0.5);
+    CHECK(VolumePressure<>::time_step_limit(heavy(), light(), in) == Approx(between_fluids).epsilon(1e-12));
+    CHECK(VolumePressure<>::time_step_limit(light(), heavy(), in) == Approx(between_fluids).epsilon(1e-12));
+    const Sponge body = sponge();
+    const double at_body = 0.6 * 2.6e-3 / (std::sqrt(2 * 0.18 * 1000 * 30 * 30 / body.density) + 0.5);
+    CHECK(VolumePressure<>::time_step_limit(heavy(), body, in) == Approx(at_body).epsilon(1e-12));
+    CHECK(VolumePressure<>::time_step_limit(body, heavy(), in) == Approx(at_body).epsilon(1e-12));
+    CHECK(std::isinf(VolumePressure<>::time_step_limit(heavy(), Wall<>{.density = 1000}, in)));
+    CHECK(acoustic_time_step(heavy(), in) < at_body); // a heavy body is none of its business
+}
+
 TEST_CASE("DensityFloor lifts what is below and leaves what is above") {
     auto water = block<3>(heavy(), 1, 0);
     auto& p = water.front();
