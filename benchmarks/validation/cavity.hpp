@@ -24,9 +24,8 @@
 #include <imbibe/fluid/summation_density.hpp>
 #include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/monitor/value_at.hpp>
 #include <imbibe/wall/corrected_no_slip.hpp>
-
-#include <Eigen/LU>
 
 namespace validation::cavity {
 
@@ -52,24 +51,6 @@ struct OnWalls<CorrectedOil>
                     sph::Into<CorrectedOil, sph::CorrectionNeighbours<C2>>,
                     sph::Into<CorrectedOil, sph::ShiftingNeighbours<C2>>> {};
 
-/// Component `axis` of the velocity at a place, m/s.
-template <class View>
-double velocity_at(const View& view, const Eigen::RowVector2d& place, int axis, double H) {
-    const auto x = view[sph::position], v = view[sph::velocity];
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d sums = Eigen::Vector3d::Zero();
-    for (int i = 0; i < view.size(); ++i) {
-        const Eigen::RowVector2d offset = (x.row(i) - place) / H;
-        if (const double r = offset.norm(); r < 1) {
-            const Eigen::Vector3d powers(1, offset[0], offset[1]);
-            const double weight = sph::kernel_value<K, 2>(r, 1.0);
-            moments += weight * powers * powers.transpose();
-            sums += weight * v(i, axis) * powers;
-        }
-    }
-    return moments.inverse().row(0).dot(sums);
-}
-
 struct Lines {
     double least_u, greatest_v, least_v; ///< shares of the lid's speed
     double lightest = 0, densest = 0;    ///< density in the end
@@ -84,8 +65,9 @@ Lines drive(int across, double end, double Re = 100) {
     sph::Solver<2, double, sph::SymplecticEuler, Liquid, Walls, OnWalls<Liquid>> scene(
         {.support_radius = H, .threads = 1});
     const sph::Box<2> inside{{0, 0}, {1, 1}};
-    auto oil = scene[scene.add(Liquid{{.density = 1, .sound_speed = 10, .viscosity = 1 / Re}},
-                               sph::jitter<2>(sph::fill(inside, spacing), 0.1 * spacing, 1), spacing)];
+    const auto liquid = scene.add(Liquid{{.density = 1, .sound_speed = 10, .viscosity = 1 / Re}},
+                                  sph::jitter<2>(sph::fill(inside, spacing), 0.1 * spacing, 1), spacing);
+    auto oil = scene[liquid];
     auto walls = scene[scene.add(Walls{{.density = 1}}, sph::tank(inside, spacing, 3), spacing)];
     for (int i = 0; i < walls.size(); ++i)
         walls[sph::velocity](i, 0) = walls[sph::position](i, 1) > 1 ? 1 : 0;
@@ -97,8 +79,8 @@ Lines drive(int across, double end, double Re = 100) {
         scene.run_until(end * (0.8 + 0.2 * (n + 1) / samples));
         for (int k = 0; k < places; ++k) {
             const double at = (k + 0.5) / places;
-            u[k] += velocity_at(oil, {0.5, at}, 0, H) / samples;
-            v[k] += velocity_at(oil, {at, 0.5}, 1, H) / samples;
+            u[k] += sph::value_at(scene, liquid, sph::velocity, {0.5, at})[0] / samples;
+            v[k] += sph::value_at(scene, liquid, sph::velocity, {at, 0.5})[1] / samples;
         }
     }
     return {u.minCoeff(), v.maxCoeff(), v.minCoeff(), oil[sph::density].minCoeff(), oil[sph::density].maxCoeff()};

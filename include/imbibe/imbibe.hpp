@@ -42,6 +42,7 @@
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/narrowest_passage.hpp>
 #include <imbibe/monitor/progress.hpp>
+#include <imbibe/monitor/value_at.hpp>
 #include <imbibe/output/recover.hpp>
 #include <imbibe/output/snapshots.hpp>
 #include <imbibe/output/table.hpp>

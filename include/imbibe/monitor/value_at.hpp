@@ -1,0 +1,92 @@
+// What a field is at a place: a gauge of pressure, a profile of velocities.
+#pragma once
+
+#include <imbibe/core/vector.hpp>
+#include <imbibe/geometry/point.hpp>
+#include <imbibe/kernels/wendland.hpp>
+#include <imbibe/solver/solver.hpp>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace imbibe {
+
+/// A field of a phase at a place: a number for a field of numbers, else an Eigen column of its components; in the
+/// field's unit. `value_at(scene, water, pressure, {0.8, 0.02})`, with `water` from `scene.add`.
+///
+/// From the particles nearer than `support`, m (0: the support radius of the phase), with weights w_b = W_ab of
+/// Wendland's C2, by moving least squares of first order: the value at `place` of the linear function that fits best,
+///
+///     f = mean f + g . (place - mean x),  g = (sum_b w_b y_b y_b)^-1 sum_b w_b y_b f_b,  y_b = x_b - mean x,
+///
+/// with means weighted by w_b. So it is exact for fields that are linear in space, also on one side of all particles:
+/// at a wall it gives the pressure of the wall's surface, not that of the first row of water. Where the particles lie
+/// on a line or there are too few for a slope, it is the mean (Shepard 1968).
+///
+/// @param dry what it is where no particle is near; not a number, unless told otherwise
+///
+/// It looks at every particle of the phase: for some gauges in every tenth step, not for pictures. What a step
+/// computes, as the pressure, is 0 before the first one.
+/// @throws Error for a support that is negative or not finite
+///
+/// Source: Lancaster and Salkauskas (1981); as a gauge in particle methods, Dilts (1999).
+template <class Scene, class P, class F>
+auto value_at(const Scene& scene, PhaseHandle<P> which, F field, const Point<Scene::dimension>& place,
+              double support = 0, double dry = std::numeric_limits<double>::quiet_NaN()) {
+    constexpr int dim = Scene::dimension;
+    const auto phase = scene[which];
+    const auto x = phase[position];
+    const auto f = phase[field];
+    using Value = Eigen::Matrix<double, std::remove_cvref_t<decltype(f)>::ColsAtCompileTime, 1>;
+    require(std::isfinite(support) && support >= 0, "value_at: a support of ", support,
+            " m; it must be above 0 m, or 0 for that of the phase");
+    const double H = support > 0 ? support : phase.material().support_radius;
+    const Settings<dim>& settings = scene.settings();
+
+    // Calls add(w_b, (x_b - place)/H, f_b); x_b is the nearest one of its images.
+    const auto each_near = [&](const auto& add) {
+        for (int i = 0; i < phase.size(); ++i) {
+            Point<dim> off = x.row(i).transpose().template cast<double>() - place;
+            for (int d = 0; d < dim; ++d) {
+                const auto axis = static_cast<std::size_t>(d);
+                off[d] += settings.origin[axis];
+                if (const double length = settings.periodic_length[axis]; length > 0)
+                    off[d] -= length * std::round(off[d] / length);
+            }
+            if (const double q = off.norm() / H; q < 1)
+                add(WendlandC2::value(q), off / H, Value(f.row(i).transpose().template cast<double>()));
+        }
+    };
+    double weights = 0;
+    Point<dim> middle = Point<dim>::Zero();
+    Value mean = Value::Zero();
+    each_near([&](double w, const Point<dim>& off, const Value& value) {
+        weights += w;
+        middle += w * off;
+        mean += w * value;
+    });
+    if (weights > 0) {
+        middle /= weights;
+        mean /= weights;
+        auto spread = Tensor<double, dim>::zero(); // sum w y y
+        Eigen::Matrix<double, Value::RowsAtCompileTime, dim> along;
+        along.setZero();
+        each_near([&](double w, const Point<dim>& off, const Value& value) {
+            const Point<dim> y = off - middle;
+            spread = spread + w * outer(from_eigen<double, dim>(y), from_eigen<double, dim>(y));
+            along += w * value * y.transpose();
+        });
+        const double size = trace(spread) / dim;
+        if (determinant(spread) > 1e-3 * power<dim>(size)) // they are spread in all directions
+            mean -= along * to_eigen(inverse(spread) * from_eigen<double, dim>(middle));
+    } else {
+        mean.setConstant(dry);
+    }
+    if constexpr (Value::RowsAtCompileTime == 1)
+        return mean[0];
+    else
+        return mean;
+}
+
+} // namespace imbibe
