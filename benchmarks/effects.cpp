@@ -77,6 +77,7 @@ using Riemann =
     Contact<Below, Into<Water, RiemannWallNormal<K>>, RiemannWallPressure<K>, Into<Water, RiemannWallContinuity<K>>>;
 struct FloorExtrapolation : Extrapolation<Floor> {};
 struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
+struct FloorLoaded : Extrapolation<Floor, Into<Floor, ReactionForce<VolumePressure<K>>>> {};
 struct FloorRiemann : Riemann<Floor> {};
 struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
@@ -224,6 +225,8 @@ Cases all_cases() {
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two", "walls");
     add_contact<FloorNoSlip>(cases, "the same with `NoSlipVelocity` and `NoSlipViscosity`",
                              "walls that a viscous fluid sticks to");
+    add_contact<FloorLoaded>(cases, "the same as the first with `ReactionForce`",
+                             "the force on a wall, to be looked at");
     add_contact<FloorRiemann>(cases, "`RiemannWallNormal`, `RiemannWallPressure`, `RiemannWallContinuity`",
                               "walls that are hit");
     add_contact<FloorRepulsion>(cases, "`KernelRepulsion`", "the paper's walls; a guard beside one of the others");

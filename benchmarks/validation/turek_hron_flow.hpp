@@ -25,6 +25,7 @@
 #include <imbibe/solid/total_lagrangian_viscosity.hpp>
 #include <imbibe/time/subcycled.hpp>
 #include <imbibe/wall/no_slip.hpp>
+#include <imbibe/wall/reaction_force.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -32,29 +33,6 @@
 namespace validation::turek_hron_flow {
 
 using K = sph::WendlandC2;
-
-/// The water's pressure on a particle of a body, N per metre of depth.
-struct PressureLoad : sph::Field<sph::Rank::vector> {
-    static constexpr std::string_view name = "pressure_load", unit = "N/m";
-};
-inline constexpr PressureLoad pressure_load{};
-/// The water's friction on it, N/m.
-struct FrictionLoad : sph::Field<sph::Rank::vector> {
-    static constexpr std::string_view name = "friction_load", unit = "N/m";
-};
-inline constexpr FrictionLoad friction_load{};
-
-/// What VolumePressure and NoSlipViscosity do to a particle a of a body, kept apart from all other forces on it.
-struct Load {
-    using reads = sph::Fields<sph::volume, sph::pressure, sph::velocity, sph::no_slip_velocity>;
-    using adds = sph::Fields<pressure_load, friction_load>;
-
-    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        const auto slope = a[sph::volume] * b[sph::volume] * ab.gradient(K{});
-        return sph::values(along(ab, -(slope * (a[sph::pressure] + b[sph::pressure]))),
-                           (2 * b.material.viscosity * slope) * (a[sph::no_slip_velocity] - b[sph::velocity]));
-    }
-};
 
 struct Flow : Water<K, sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
 struct Walls : sph::Wall<> {};
@@ -66,6 +44,7 @@ template <class Body, class... More>
 struct Meets : sph::Coupling<Flow, Body, sph::Into<Body, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                              sph::Into<Flow, sph::VolumeContinuity<K>>, sph::Into<Body, sph::NoSlipVelocity<K>>,
                              sph::NoSlipViscosity<K>, sph::Into<Flow, sph::ShiftingNeighbours<K>>, More...> {};
+using Load = sph::ReactionForce<sph::VolumePressure<K>, sph::NoSlipViscosity<K>>;
 using Scene = sph::Solver<2, double, sph::Subcycled<Flag>, Flow, Walls, Cylinder, Flag, Meets<Walls>,
                           Meets<Cylinder, sph::Into<Cylinder, Load>>, Meets<Flag, sph::Into<Flag, Load>>>;
 
@@ -179,8 +158,7 @@ inline History run(const Setup& setup, int layers) {
         before = s.time();
         sph::Point<2> force = sph::Point<2>::Zero();
         const auto sum = [&](const auto& body) {
-            force += body[pressure_load].colwise().sum().matrix().transpose();
-            force += body[friction_load].colwise().sum().matrix().transpose();
+            force += body[sph::reaction_force].colwise().sum().transpose();
         };
         sum(s[cylinder]);
         sum(s[flag]);

@@ -1,0 +1,108 @@
+// The force of a fluid on a wall or a solid, particle by particle: drag, lift, loads on structures.
+#pragma once
+
+#include <imbibe/core/rule.hpp>
+#include <imbibe/core/term.hpp>
+
+namespace imbibe {
+
+struct give_it_a_force_of_the_coupling; // advice
+
+namespace rules {
+/// Rule: a reaction is that to a term whose pairs push.
+template <class Term, class Advice>
+struct NoForceToReactTo {
+    static_assert(sizeof(Term) == 0,
+                  "imbibe: ReactionForce is given a term that pushes nothing: give it a force of the "
+                  "coupling, such as VolumePressure or NoSlipViscosity");
+};
+} // namespace rules
+
+/// The force on a particle, N (N/m in 2D); see ReactionForce.
+struct ReactionForceField : Field<Rank::vector> {
+    static constexpr std::string_view name = "reaction_force", unit = "N";
+    static constexpr bool shown = true;
+};
+inline constexpr ReactionForceField reaction_force{};
+
+namespace detail {
+
+// Minus what the other side's particles get from a pair part that adds to their acceleration, times their mass.
+IMBIBE_INLINE constexpr auto reaction_to(const auto& part, const auto& a, const auto& b, const auto& ab) {
+    auto ba = ab;
+    ba.offset = -ab.offset;
+    const auto push = part(b, a, ba);
+    if constexpr (is_central<std::remove_cvref_t<decltype(push)>>)
+        return along(ab, b[mass] * push.factor); // -m_b f (x_b - x_a)
+    else
+        return -b[mass] * push;
+}
+template <class Part>
+struct ReactionTo {
+    using reads = Unique<Concat<typename ReadsOf<Part>::type, Fields<mass>>>;
+    using adds = Fields<reaction_force>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        return reaction_to(Part{}, a, b, ab);
+    }
+};
+template <class Part>
+requires requires(Part part) {
+    part.parameters;
+}
+struct ReactionTo<Part> {
+    using reads = Unique<Concat<typename ReadsOf<Part>::type, Fields<mass>>>;
+    using adds = Fields<reaction_force>;
+    decltype(Part::parameters) parameters{};
+
+    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        Part part{};
+        part.parameters = parameters;
+        return reaction_to(part, a, b, ab);
+    }
+};
+
+template <class Part>
+inline constexpr bool pushes = std::is_same_v<typename AddsOf<Part>::type, Fields<acceleration>>;
+
+template <class Term, class Parts>
+struct ReactionsTo;
+template <class Term, class... Part>
+struct ReactionsTo<Term, TypeList<Part...>> {
+    static constexpr bool check() {
+        if constexpr (!(pushes<Part> || ...))
+            return break_rule<rules::NoForceToReactTo<Term, give_it_a_force_of_the_coupling>>();
+        return true;
+    }
+    static_assert(check() || true); // it says by itself what is wrong, once
+    using type = Concat<std::conditional_t<pushes<Part>, TypeList<ReactionTo<Part>>, TypeList<>>...>;
+};
+
+} // namespace detail
+
+/// F_a = - sum_b m_b (dv_b/dt)_a, in N: the force on a particle a of a wall or a solid by the particles b of the fluid,
+/// minus what these get from it by the terms given, for each pair to the last bit.
+///
+/// Goes into the wall or the solid, beside the terms it is the reaction to:
+///
+///     struct Contact : Coupling<Water, Pier, Into<Pier, PressureExtrapolation<>>, VolumePressure<>,
+///                               Into<Water, VolumeContinuity<>>, Into<Pier, ReactionForce<VolumePressure<>>>> {};
+///
+/// and the force on the pier is `scene[pier][reaction_force].colwise().sum()`, as it was where the last step began.
+/// Near an edge where two walls meet, the water's particles push at both: the force on a part of a wall is right to
+/// about what lies within a support of its rim.
+///
+/// A wall of which only the pressure is wanted has that of PressureExtrapolation, which is the water's continued. Where
+/// water strikes that is not the force: a tongue of it that is thinner than the support pushes on part of the wall
+/// only, but shows its pressure all around.
+///
+/// Not into a fluid. A sweep more, so not where nobody looks.
+///
+/// Source: Newton's third law.
+template <class... Term>
+struct ReactionForce {
+    static constexpr bool one_sided = true;
+    using parts = detail::Concat<typename detail::ReactionsTo<Term, detail::PartList<Term>>::type...>;
+};
+
+} // namespace imbibe
