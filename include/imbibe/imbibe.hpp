@@ -75,4 +75,5 @@
 #include <imbibe/wall/corrected_no_slip.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
+#include <imbibe/wall/reaction_force.hpp>
 #include <imbibe/wall/riemann_wall.hpp>

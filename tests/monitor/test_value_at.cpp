@@ -76,6 +76,16 @@ TEST_CASE("a value across a periodic side", "[monitor]") {
     CHECK(right > 1000.45);
 }
 
+TEST_CASE("a value is not drawn out of noise far beyond what is around it", "[monitor]") {
+    Pool<2> scene({.support_radius = 2.6 * dx, .threads = 1});
+    const auto pool = scene.add(water, sph::fill(sph::Box<2>{{0, 0}, {1, 2 * dx}}, dx), dx); // two rows
+    auto view = scene[pool];
+    for (int i = 0; i < view.size(); ++i)
+        view[sph::density](i) = view[sph::position](i, 1) > dx ? 1000 : 1100;
+    CHECK(sph::value_at(scene, pool, sph::density, {0.5, 0}, 4 * dx) == Approx(1150));   // half a row down
+    CHECK(sph::value_at(scene, pool, sph::density, {0.5, -dx}, 4 * dx) == Approx(1200)); // one and a half: not 1250
+}
+
 TEST_CASE("what a value is from few particles, and from none", "[monitor]") {
     Pool<2> scene({.support_radius = 0.2, .threads = 1});
     const auto pool = scene.add(water, {{0, 0}, {0.1, 0}, {2, 0}}, dx);

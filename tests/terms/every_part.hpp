@@ -30,6 +30,7 @@
 #include <imbibe/wall/corrected_no_slip.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
+#include <imbibe/wall/reaction_force.hpp>
 #include <imbibe/wall/riemann_wall.hpp>
 
 namespace hand {
@@ -78,7 +79,9 @@ using EveryPairPart = TypeList<
     Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>,
     Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>, Case<CorrectedContinuity<>::Sweep, Water, Water, false>,
     Case<CorrectedPressure<>::Push, Water, Water, true>, Case<CorrectedViscosity<>, Water, Water, true>,
-    Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<TransportAdvection<>, Water, Water, false>>;
+    Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<TransportAdvection<>, Water, Water, false>,
+    Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
+    Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
 
 /// Those that are no force and not zero for the particle itself, or have two results.
 using OtherPairParts =

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace imbibe {
 
@@ -21,8 +22,9 @@ namespace imbibe {
 ///     f = mean f + g . (place - mean x),  g = (sum_b w_b y_b y_b)^-1 sum_b w_b y_b f_b,  y_b = x_b - mean x,
 ///
 /// with means weighted by w_b. So it is exact for fields that are linear in space, also on one side of all particles:
-/// at a wall it gives the pressure of the wall's surface, not that of the first row of water. Where the particles lie
-/// on a line or there are too few for a slope, it is the mean (Shepard 1968).
+/// at a wall it gives the pressure of the wall's surface, not that of the first row of water. It goes beyond the values
+/// around it by at most what these differ by; and where the particles lie on a line or there are too few for a
+/// slope, it is the mean (Shepard 1968).
 ///
 /// @param dry what it is where no particle is near; not a number, unless told otherwise
 ///
@@ -44,49 +46,56 @@ auto value_at(const Scene& scene, PhaseHandle<P> which, F field, const Point<Sce
     const double H = support > 0 ? support : phase.material().support_radius;
     const Settings<dim>& settings = scene.settings();
 
-    // Calls add(w_b, (x_b - place)/H, f_b); x_b is the nearest one of its images.
-    const auto each_near = [&](const auto& add) {
-        for (int i = 0; i < phase.size(); ++i) {
-            Point<dim> off = x.row(i).transpose().template cast<double>() - place;
-            for (int d = 0; d < dim; ++d) {
-                const auto axis = static_cast<std::size_t>(d);
-                off[d] += settings.origin[axis];
-                if (const double length = settings.periodic_length[axis]; length > 0)
-                    off[d] -= length * std::round(off[d] / length);
-            }
-            if (const double q = off.norm() / H; q < 1)
-                add(WendlandC2::value(q), off / H, Value(f.row(i).transpose().template cast<double>()));
-        }
+    struct Near {
+        double weight;
+        Point<dim> offset; // (x_b - place)/H, x_b being the nearest one of its images
+        Value value;
     };
-    double weights = 0;
-    Point<dim> middle = Point<dim>::Zero();
-    Value mean = Value::Zero();
-    each_near([&](double w, const Point<dim>& off, const Value& value) {
-        weights += w;
-        middle += w * off;
-        mean += w * value;
-    });
-    if (weights > 0) {
+    std::vector<Near> near;
+    for (int i = 0; i < phase.size(); ++i) {
+        Point<dim> off = x.row(i).transpose().template cast<double>() - place;
+        for (int d = 0; d < dim; ++d) {
+            const auto axis = static_cast<std::size_t>(d);
+            off[d] += settings.origin[axis];
+            if (const double length = settings.periodic_length[axis]; length > 0)
+                off[d] -= length * std::round(off[d] / length);
+        }
+        if (const double q = off.norm() / H; q < 1)
+            near.push_back({WendlandC2::value(q), off / H, f.row(i).transpose().template cast<double>()});
+    }
+
+    Value value = Value::Constant(dry);
+    if (!near.empty()) {
+        double weights = 0;
+        Point<dim> middle = Point<dim>::Zero();
+        Value mean = Value::Zero(), low = near.front().value, high = low;
+        for (const Near& b : near) {
+            weights += b.weight;
+            middle += b.weight * b.offset;
+            mean += b.weight * b.value;
+            low = low.cwiseMin(b.value);
+            high = high.cwiseMax(b.value);
+        }
         middle /= weights;
         mean /= weights;
         auto spread = Tensor<double, dim>::zero(); // sum w y y
         Eigen::Matrix<double, Value::RowsAtCompileTime, dim> along;
         along.setZero();
-        each_near([&](double w, const Point<dim>& off, const Value& value) {
-            const Point<dim> y = off - middle;
-            spread = spread + w * outer(from_eigen<double, dim>(y), from_eigen<double, dim>(y));
-            along += w * value * y.transpose();
-        });
-        const double size = trace(spread) / dim;
-        if (determinant(spread) > 1e-3 * power<dim>(size)) // they are spread in all directions
-            mean -= along * to_eigen(inverse(spread) * from_eigen<double, dim>(middle));
-    } else {
-        mean.setConstant(dry);
+        for (const Near& b : near) {
+            const Point<dim> y = b.offset - middle;
+            spread = spread + b.weight * outer(from_eigen<double, dim>(y), from_eigen<double, dim>(y));
+            along += b.weight * b.value * y.transpose();
+        }
+        value = mean;
+        if (determinant(spread) > 1e-3 * power<dim>(trace(spread) / dim)) // they are spread in all directions
+            value -= along * to_eigen(inverse(spread) * from_eigen<double, dim>(middle));
+        const Value range = high - low;
+        value = value.cwiseMax(low - range).cwiseMin(high + range);
     }
     if constexpr (Value::RowsAtCompileTime == 1)
-        return mean[0];
+        return value[0];
     else
-        return mean;
+        return value;
 }
 
 } // namespace imbibe
