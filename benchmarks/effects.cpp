@@ -42,6 +42,7 @@ struct WaterSymmetric : Fluid<LinearState, Continuity<K>, SymmetricPressure<K>> 
 struct WaterRiemann : Fluid<LinearState, RiemannContinuity<K>, RiemannPressure<K>> {};
 struct WaterSummation : Fluid<LinearState, SummationDensity<K>, VolumePressure<K>> {};
 struct WaterSummationFloor : WaterWith<SummationFloor<K>> {};
+struct WaterRelaxed : WaterWith<SummationRelaxation<K>> {};
 struct WaterTensionless : Fluid<LinearState, VolumeContinuity<K>, VolumePressure<K, Tension::none>> {};
 struct WaterCorrected : Fluid<LinearState, CurrentCorrection<K>, CorrectedContinuity<K>, CorrectedPressure<K>> {};
 struct WaterCorrectedViscosity : WaterWith<CurrentCorrection<K>, CorrectedViscosity<K>> {};
@@ -90,8 +91,12 @@ template <class P>
 P material() {
     if constexpr (requires(P p) { p.shear_modulus; })
         return P{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
-    else
-        return P{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
+    else {
+        P fluid{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
+        if constexpr (std::is_same_v<P, WaterRelaxed>)
+            fluid.set(SummationRelaxationParameters{.time = 1}); // it has no default
+        return fluid;
+    }
 }
 
 constexpr int particles = 8000;
@@ -192,6 +197,8 @@ Cases all_cases() {
                         "a density that follows from the places alone");
     add<WaterSummationFloor>(cases, "`SummationFloor`, whose sum is `SummationNeighbours`",
                              "water that is compressed where its density does not say so");
+    add<WaterRelaxed>(cases, "`SummationRelaxation`, whose sum is `SummationNeighbours`",
+                      "densities that do not drift from the places of shifted particles");
     add<WaterTensionless>(cases, "`VolumePressure` with `Tension::none` in place of that without",
                           "water that no wall holds back");
     add<WaterSymmetric>(cases, "`Continuity` and `SymmetricPressure` in place of those of volumes",

@@ -58,16 +58,18 @@ struct Lines {
 /// The references.
 constexpr Lines at_100{-0.21404, 0.17957, -0.25380}, at_1000{-0.38857, 0.37694, -0.52708};
 
-/// @tparam Liquid Oil or CorrectedOil
+/// @param material an Oil or a CorrectedOil with its coefficients; density, sound and viscosity are set here
 template <class Liquid>
-Lines drive(int across, double end, double Re = 100) {
+Lines drive(int across, double end, double Re = 100, Liquid material = {}) {
     const double spacing = 1.0 / across, H = 3 * spacing;
     sph::Solver<2, double, sph::SymplecticEuler, Liquid, Walls, OnWalls<Liquid>> scene(
         {.support_radius = H, .threads = 1});
     const sph::Box<2> inside{{0, 0}, {1, 1}};
-    const auto liquid = scene.add(Liquid{{.density = 1, .sound_speed = 10, .viscosity = 1 / Re}},
-                                  sph::jitter<2>(sph::fill(inside, spacing), 0.1 * spacing, 1), spacing);
-    auto oil = scene[liquid];
+    material.density = 1;
+    material.sound_speed = 10;
+    material.viscosity = 1 / Re;
+    const auto liquid = scene.add(material, sph::jitter<2>(sph::fill(inside, spacing), 0.1 * spacing, 1), spacing);
+    const auto oil = scene[liquid];
     auto walls = scene[scene.add(Walls{{.density = 1}}, sph::tank(inside, spacing, 3), spacing)];
     for (int i = 0; i < walls.size(); ++i)
         walls[sph::velocity](i, 0) = walls[sph::position](i, 1) > 1 ? 1 : 0;

@@ -32,6 +32,7 @@
 #include <imbibe/fluid/particle_shifting.hpp>
 #include <imbibe/fluid/riemann.hpp>
 #include <imbibe/fluid/summation_density.hpp>
+#include <imbibe/fluid/summation_relaxation.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>

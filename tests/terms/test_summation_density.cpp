@@ -1,7 +1,16 @@
-// SummationDensity and SummationFloor: rho_0 on a lattice, more where it is compressed, nothing taken at a surface.
+// SummationDensity, SummationFloor and SummationRelaxation: rho_0 on a lattice, more where it is compressed, nothing
+// taken at a surface, and how fast a density comes back to its sum.
 #include "cloud.hpp"
 
+#include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/summation_density.hpp>
+#include <imbibe/fluid/summation_relaxation.hpp>
+#include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/geometry/box.hpp>
+#include <imbibe/geometry/fill.hpp>
+#include <imbibe/solver/solver.hpp>
+#include <imbibe/state/linear_state.hpp>
+#include <imbibe/time/symplectic_euler.hpp>
 
 namespace summation_density_test {
 
@@ -53,6 +62,29 @@ TEST_CASE("SummationFloor: its limit and its check") {
     const TimeStepInput in{3e-3, 1e-3, 1, 1, 3};
     CHECK(SummationFloor<K>::time_step_limit(water_here(), in, {.rate = 0.5}) == Approx(2e-3 / 15));
     CHECK_THROWS_AS(SummationFloorParameters{.rate = -1}.check("Water"), Error);
+}
+
+struct Resting : Fluid<LinearState, VolumeContinuity<K>, VolumePressure<K>, SummationRelaxation<K>> {};
+
+TEST_CASE("SummationRelaxation leads the density to the sum over places, exponentially") {
+    const double spacing = 1e-3, time = 0.05;
+    Solver<2, double, SymplecticEuler, Resting> scene(
+        {.support_radius = 3e-3, .time_step = 1e-4, .periodic_length = {16e-3, 16e-3}});
+    Resting water{{.density = 1000, .sound_speed = 1}};
+    water.set(SummationRelaxationParameters{.time = time});
+    const auto phase = scene.add(water, fill(Box<2>{{0, 0}, {16e-3, 16e-3}}, spacing), spacing);
+    scene[phase][density].setConstant(1050); // everywhere: no pressure gradient, nothing moves
+    scene.run_until(2 * time);
+    const auto left = scene[phase][density].array() - 1000; // a lattice: its sum is rho_0
+    CHECK(left.maxCoeff() == Approx(50 * std::exp(-2.0)).epsilon(0.003));
+    CHECK(left.minCoeff() == Approx(left.maxCoeff()).epsilon(1e-9));
+    CHECK(scene[phase][velocity].cwiseAbs().maxCoeff() < 1e-9);
+}
+TEST_CASE("SummationRelaxation: its limit and its check") {
+    const TimeStepInput in{3e-3, 1e-3, 1, 1, 3};
+    CHECK(SummationRelaxation<K>::time_step_limit(water_here(), in, {.time = 0.5}) == 1);
+    CHECK_THROWS_AS(SummationRelaxationParameters{}.check("Water"), Error); // it must be given
+    CHECK_THROWS_AS(SummationRelaxationParameters{.time = 0}.check("Water"), Error);
 }
 
 } // namespace summation_density_test

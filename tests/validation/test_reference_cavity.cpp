@@ -2,7 +2,31 @@
 #include <benchmarks/validation/cavity.hpp>
 #include <catch_shim.hpp>
 
+#include <imbibe/fluid/summation_relaxation.hpp>
+
 namespace cavity = validation::cavity;
+
+namespace validation::cavity {
+
+/// A density that follows the flow, between walls that particles are shifted off: it drifts from their places.
+template <class... More>
+struct FollowingOil
+    : imbibe::Fluid<imbibe::LinearState, imbibe::VolumeContinuity<C2>, imbibe::DensityDiffusion<C2>,
+                    imbibe::VolumePressure<C2>, imbibe::MorrisViscosity<C2>, imbibe::ParticleShifting<C2>, More...> {};
+using DriftingOil = FollowingOil<>;
+using RelaxedOil = FollowingOil<imbibe::SummationRelaxation<C2>>;
+template <class Liquid, class... More>
+struct FollowingOnWalls
+    : imbibe::Coupling<Liquid, Walls, imbibe::Into<Walls, imbibe::PressureExtrapolation<C2>>,
+                       imbibe::VolumePressure<C2>, imbibe::Into<Walls, imbibe::NoSlipVelocity<C2>>,
+                       imbibe::NoSlipViscosity<C2>, imbibe::Into<Liquid, imbibe::VolumeContinuity<C2>>,
+                       imbibe::Into<Liquid, imbibe::ShiftingNeighbours<C2>>, More...> {};
+template <>
+struct OnWalls<DriftingOil> : FollowingOnWalls<DriftingOil> {};
+template <>
+struct OnWalls<RelaxedOil> : FollowingOnWalls<RelaxedOil, imbibe::Into<RelaxedOil, imbibe::SummationNeighbours<C2>>> {};
+
+} // namespace validation::cavity
 
 // A coarse cavity: off by 2 to 8, 7 to 11 and 6 to 11 % from eight different starts, and so with the rounding of
 // compilers and pack widths, to which this flow of few particles answers as to any small change; by less with twice as
@@ -26,4 +50,22 @@ TEST_CASE("With corrected gradients a lid drives the flow as it should with few 
     CHECK(lines.least_v == Approx(cavity::at_100.least_v).epsilon(0.072));
     CHECK(lines.lightest > 0.99);
     CHECK(lines.densest < 1.04);
+}
+
+// Without SummationRelaxation densities of 1.14 to 1.18 and half of the flow; with it, within 0.3 of the time in which
+// the lid crosses the cavity, 1.000 to 1.014, and off by 7, 12 and 11 %.
+TEST_CASE("Densities that are led back to the places of particles do not drift in a closed box",
+          "[validation][fluid]") {
+    const auto drifting = cavity::drive<cavity::DriftingOil>(24, 10);
+    CHECK(drifting.lightest > 1.1);
+    CHECK(drifting.least_u == Approx(0.5 * cavity::at_100.least_u).epsilon(0.3));
+    cavity::RelaxedOil oil;
+    oil.set(imbibe::SummationRelaxationParameters{.time = 0.3});
+    const auto lines = cavity::drive(24, 10, 100, oil);
+    CAPTURE(lines.least_u, lines.greatest_v, lines.least_v, lines.lightest, lines.densest);
+    CHECK(lines.lightest > 0.98);
+    CHECK(lines.densest < 1.03);
+    CHECK(lines.least_u == Approx(cavity::at_100.least_u).epsilon(0.11));
+    CHECK(lines.greatest_v == Approx(cavity::at_100.greatest_v).epsilon(0.16));
+    CHECK(lines.least_v == Approx(cavity::at_100.least_v).epsilon(0.15));
 }
