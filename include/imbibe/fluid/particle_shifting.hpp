@@ -59,10 +59,10 @@ struct ParticleShiftingParameters {
 /// particles of a wall or a solid count as neighbours. Without that a wall is taken for a free surface, beside which
 /// nothing is shifted.
 ///
-/// Not where the density follows VolumeContinuity or Continuity: particles that are shifted off a wall all the time make
-/// the fluid flow towards it, and its density rises, in a closed cavity by 20 % until t = 15, while the flow loses half
-/// of its speed. With SummationDensity, with SummationRelaxation beside the continuity equation, and with corrected
-/// gradients, it belongs there (docs/validation.md, cavity).
+/// Not where the density follows VolumeContinuity or Continuity: particles that are shifted off a wall all the time
+/// make the fluid flow towards it, and its density rises, in a closed cavity by 20 % until t = 15, while the flow loses
+/// half of its speed. With SummationDensity, with SummationRelaxation beside the continuity equation, and with
+/// corrected gradients, it belongs there (docs/validation.md, cavity).
 ///
 /// Source: Monaghan (2000) for the factor; see ParticleShifting.
 template <class Kernel = WendlandC2>
