@@ -3,16 +3,13 @@
 
 #include <imbibe/fluid/summation_density.hpp>
 
-#include <cmath>
-#include <limits>
-
 namespace imbibe {
 
 /// Coefficients of SummationRelaxation.
 struct SummationRelaxationParameters {
     /// The time in which a deviation falls to 1/e, s. To be given: about 0.3 of that in which the flow crosses the
     /// vessel. It should be long beside H/c, or sound is damped and the noise of the sum is heard.
-    double time = std::numeric_limits<double>::quiet_NaN();
+    double time = 0;
 
     /// Throws Error for a number out of range. @param where the phase in the message
     void check(std::string_view where) const {
@@ -53,7 +50,7 @@ struct SummationRelaxation {
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             const auto sum = a.material.density * a[kernel_sum] / a[lattice_kernel_sum];
-            return (1 / parameters.time) * (sum - a[density]);
+            return (1 / max(parameters.time, 1e-30)) * (sum - a[density]);
         }
     };
     using parts = Parts<SummationNeighbours<Kernel>, LatticeSum<Kernel>, Pull>;
