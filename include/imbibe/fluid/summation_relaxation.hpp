@@ -33,8 +33,7 @@ struct SummationRelaxationParameters {
 ///
 /// Not with a free surface, where half of the neighbours are missing and the pressure becomes that of a strong tension.
 /// Not with a time as short as that in which the flow swings: a flag (FSI3) whose period was ten times `time` swung 20
-/// % too fast (tried once, not kept). Beside SummationDensity it does not compile (it adds to a rate that nothing
-/// follows).
+/// % too fast (tried once, not kept). Beside SummationDensity it does not compile (SetTwice).
 ///
 /// Source: own. What re-initialising the density every some steps does (Colagrossi and Landrini 2003), little by
 /// little, so that no step has a jump and an integrator need not know.
