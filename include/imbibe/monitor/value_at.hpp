@@ -13,23 +13,26 @@
 
 namespace imbibe {
 
-/// A field of a phase at a place: a number for a field of numbers, else an Eigen column of its components; in the
-/// field's unit. `value_at(scene, water, pressure, {0.8, 0.02})`, with `water` from `scene.add`.
+/// A field of a phase at a place, in the field's unit: `value_at(scene, water, pressure, {0.8, 0.02})`.
 ///
-/// From the particles nearer than `support`, m (0: the support radius of the phase), with weights w_b = W_ab of
-/// Wendland's C2, by moving least squares of first order: the value at `place` of the linear function that fits best,
+/// From the particles nearer than `support`, with weights w_b = W_ab of Wendland's C2, by moving least squares of first
+/// order: the value at `place` of the linear function that fits best,
 ///
 ///     f = mean f + g . (place - mean x),  g = (sum_b w_b y_b y_b)^-1 sum_b w_b y_b f_b,  y_b = x_b - mean x,
 ///
 /// with means weighted by w_b. So it is exact for fields that are linear in space, also on one side of all particles:
 /// at a wall it gives the pressure of the wall's surface, not that of the first row of water. It goes beyond the values
-/// around it by at most what these differ by; and where the particles lie on a line or there are too few for a
-/// slope, it is the mean (Shepard 1968).
-///
-/// @param dry what it is where no particle is near; not a number, unless told otherwise
+/// around it by at most what these differ by; and where the particles lie on a line or there are too few for a slope,
+/// it is the mean (Shepard 1968).
 ///
 /// It looks at every particle of the phase: for some gauges in every tenth step, not for pictures. What a step
 /// computes, as the pressure, is 0 before the first one.
+///
+/// @param scene the scene, @param which the phase, as `scene.add` returned it, @param field the field
+/// @param place where, m
+/// @param support how far to look, m; 0: the support radius of the phase
+/// @param dry what it is where no particle is near; not a number, unless told otherwise
+/// @return a number for a field of numbers, else an Eigen column of its components
 /// @throws Error for a support that is negative or not finite
 ///
 /// Source: Lancaster and Salkauskas (1981); as a gauge in particle methods, Dilts (1999).
