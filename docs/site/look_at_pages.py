@@ -76,10 +76,10 @@ def narrow_to(driver, width, height=900):
 def chosen(html):
     """The pages to look at."""
     made = sorted(os.path.basename(path) for path in glob.glob(os.path.join(html, "*.html")))
-    made = [page for page in made if not page.endswith(("-members.html", "_source.html"))]
+    lists = ("dir_", "functions", "files", "graph_legend", "namespacemembers")  # they have no title
+    made = [page for page in made if not page.endswith(("-members.html", "_source.html")) and not page.startswith(lists)]
     of_headers = [page for page in made if page.startswith(("struct", "class", "namespace", "concept"))]
-    lists = ("dir_", "functions", "files", "graph_legend")
-    return [page for page in made if page not in of_headers and not page.startswith(lists)] + of_headers[::10]
+    return [page for page in made if page not in of_headers] + of_headers[::10]
 
 
 def look(driver, html, looks, page, width):
