@@ -55,7 +55,7 @@ inline Blow strike(int across) {
         Box{{.density = 1000}},
         sph::fill(sph::Box<3>{{front, 0.5 - 0.403 / 2, 0}, {front + box_height, 0.5 + 0.403 / 2, box_height}}, dx), dx);
 
-    const double high = std::max(2L, std::lround(0.042 / dx)) * dx, wide = 2 * std::floor(0.06 / dx + 0.5) * dx;
+    const double high = std::max(2.0, std::round(0.042 / dx)) * dx, wide = 2 * std::floor(0.06 / dx + 0.5) * dx;
     // The force along x on what lies behind the front, within half the width and below the height of that part of it.
     const auto push_on = [&](const auto& body) {
         const auto x = body[sph::position];
