@@ -13,7 +13,7 @@ namespace imbibe {
 ///
 /// For flows with vortices and shear layers whose particles are shifted by much: with a `strength` of 4 it halves the
 /// error of the velocity in a Taylor-Green vortex at Re = 1000, with the default of 2 it takes a tenth of it away, at
-/// Re = 100 nothing; a cavity that its lid drives at Re = 1000 is 1.6 to 2.5 % too slow with it, with corrected
+/// Re = 100 nothing; a cavity that its lid drives at Re = 1000 is 1.6 to 2.8 % too slow with it, with corrected
 /// gradients, and 2.7 to 3.7 % without (docs/validation.md). Its own gradients need no correction: with it the error is
 /// the same to a tenth.
 ///
