@@ -25,9 +25,7 @@ namespace validation::dam_break_on_box {
 using namespace hydroelastic; // the water, the tank and how they push
 struct Box : sph::Wall<> {};
 template <class Solid>
-struct Strike : sph::Coupling<Column, Solid, sph::Into<Solid, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                              sph::Into<Column, sph::VolumeContinuity<K>>,
-                              sph::Into<Solid, sph::ReactionForce<sph::VolumePressure<K>>>> {};
+using Strike = Push<Solid, sph::Into<Solid, sph::ReactionForce<sph::VolumePressure<K>>>>;
 using Basin = sph::Solver<3, float, sph::SymplecticEuler, Column, Tank, Box, Strike<Tank>, Strike<Box>>;
 
 struct Blow {

@@ -18,9 +18,9 @@ struct Rubber
     : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
                  sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped, sph::TimeAveragedMotion> {};
 struct Tank : sph::Wall<> {};
-template <class Solid>
+template <class Solid, class... More>
 struct Push : sph::Coupling<Column, Solid, sph::Into<Solid, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Column, sph::VolumeContinuity<K>>> {};
+                            sph::Into<Column, sph::VolumeContinuity<K>>, More...> {};
 using Scene = sph::Solver<2, double, sph::Subcycled<Rubber>, Column, Rubber, Tank, Push<Rubber>, Push<Tank>>;
 
 constexpr double gravity = 9.81; // m/s^2

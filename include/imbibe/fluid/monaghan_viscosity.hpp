@@ -80,8 +80,9 @@ struct MonaghanViscosity {
                                   const Parameters& parameters) {
         const double c = 0.5 * (material_a.sound_speed + material_b.sound_speed);
         const double rate = parameters.alpha * c + 2 * parameters.beta * (in.max_speed + in.other_max_speed);
-        const double strength = in.dimension == 2 ? 0.42 * detail::pairwise_laplacian_strength<Kernel, 2>(0.1)
-                                                  : 0.31 * detail::pairwise_laplacian_strength<Kernel, 3>(0.1);
+        constexpr double in_2d = 0.42 * detail::pairwise_laplacian_strength<Kernel, 2>(0.1),
+                         in_3d = 0.31 * detail::pairwise_laplacian_strength<Kernel, 3>(0.1);
+        const double strength = in.dimension == 2 ? in_2d : in_3d;
         return rate > 0 ? 2 * in.support_radius / (strength * rate) : std::numeric_limits<double>::infinity();
     }
 };

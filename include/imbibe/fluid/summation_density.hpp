@@ -61,6 +61,15 @@ struct LatticeSum {
     }
 };
 
+namespace detail {
+
+// rho_0 sum_b V_0b W_ab / (the same sum on a lattice), kg/m^3.
+IMBIBE_INLINE constexpr auto summed_density(const auto& a) {
+    return a.material.density * a[kernel_sum] / a[lattice_kernel_sum];
+}
+
+} // namespace detail
+
 /// rho_a = rho_0 sum_b V_0b W_ab / (the same sum on a lattice), in kg/m^3.
 ///
 /// In the place of Continuity, VolumeContinuity and what else adds to the rate of density (diffusion, DensityFloor): it
@@ -79,9 +88,7 @@ struct SummationDensity {
         using reads = Fields<kernel_sum, lattice_kernel_sum>;
         using sets = Fields<density>;
 
-        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            return a.material.density * a[kernel_sum] / a[lattice_kernel_sum];
-        }
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const { return detail::summed_density(a); }
     };
     using parts = Parts<SummationNeighbours<Kernel>, LatticeSum<Kernel>, Set>;
 };
@@ -122,7 +129,7 @@ struct SummationFloor {
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             const auto& fluid = a.material;
             const double per_time = parameters.rate * fluid.sound_speed / max(fluid.spacing, 1e-30);
-            return per_time * positive_part(fluid.density * a[kernel_sum] / a[lattice_kernel_sum] - a[density]);
+            return per_time * positive_part(detail::summed_density(a) - a[density]);
         }
     };
     using parts = Parts<SummationNeighbours<Kernel>, LatticeSum<Kernel>, Raise>;

@@ -48,8 +48,7 @@ struct SummationRelaxation {
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            const auto sum = a.material.density * a[kernel_sum] / a[lattice_kernel_sum];
-            return (1 / max(parameters.time, 1e-30)) * (sum - a[density]);
+            return (1 / max(parameters.time, 1e-30)) * (detail::summed_density(a) - a[density]);
         }
     };
     using parts = Parts<SummationNeighbours<Kernel>, LatticeSum<Kernel>, Pull>;

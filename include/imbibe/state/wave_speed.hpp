@@ -42,7 +42,8 @@ double acoustic_time_step(const auto& material, const TimeStepInput& in) {
 /// two layers, and of one particle and of three by three (by three) within the other fluid, on lattices with supports
 /// of 1.5 to 3 spacings, with WendlandC2 and the cubic spline, the heavier fluid 10 to 1000 times as stiff: steps of
 /// 1.2 to 2.6 times this hold, of 1.2 to 1.5 between layers with 2 spacings or more. At solids 1.1 to 1.4 times this
-/// hold (soft ones on water, of a twentieth to a third of its density).
+/// hold (soft ones on water, of a twentieth to a third of its density). These were worked out once, not kept; what is
+/// tested are the rows "pressure between phases" of docs/stability.md.
 double interface_time_step(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                            double at_solid = 2) {
     using A = std::remove_cvref_t<decltype(material_a)>;

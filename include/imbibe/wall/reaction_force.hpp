@@ -27,38 +27,21 @@ inline constexpr ReactionForceField reaction_force{};
 
 namespace detail {
 
-// Minus what the other side's particles get from a pair part that adds to their acceleration, times their mass.
-IMBIBE_INLINE constexpr auto reaction_to(const auto& part, const auto& a, const auto& b, const auto& ab) {
-    auto ba = ab;
-    ba.offset = -ab.offset;
-    const auto push = part(b, a, ba);
-    if constexpr (is_central<std::remove_cvref_t<decltype(push)>>)
-        return along(ab, b[mass] * push.factor); // -m_b f (x_b - x_a)
-    else
-        return -b[mass] * push;
-}
+// Minus what the other side's particles get from a pair part that adds to their acceleration, times their mass; with
+// that part's coefficients.
 template <class Part>
-struct ReactionTo {
+struct ReactionTo : Part {
     using reads = Unique<Concat<typename ReadsOf<Part>::type, Fields<mass>>>;
     using adds = Fields<reaction_force>;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        return reaction_to(Part{}, a, b, ab);
-    }
-};
-template <class Part>
-requires requires(Part part) {
-    part.parameters;
-}
-struct ReactionTo<Part> {
-    using reads = Unique<Concat<typename ReadsOf<Part>::type, Fields<mass>>>;
-    using adds = Fields<reaction_force>;
-    decltype(Part::parameters) parameters{};
-
-    IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        Part part{};
-        part.parameters = parameters;
-        return reaction_to(part, a, b, ab);
+        auto ba = ab;
+        ba.offset = -ab.offset;
+        const auto push = Part::operator()(b, a, ba);
+        if constexpr (is_central<std::remove_cvref_t<decltype(push)>>)
+            return along(ab, b[mass] * push.factor); // -m_b f (x_b - x_a)
+        else
+            return -b[mass] * push;
     }
 };
 
