@@ -20,6 +20,10 @@ void add_limits(Table& table) {
     row("LinearState, WendlandC2, H = 2.6", "disordered shaken box in 3D",
         [=](const Plan& p) { return shaken_box<Sound, 3>(p, liquid<Sound>(), 2.6, disorder); });
     row("Tait<7>, Spiky, H = 1.25", "shaken box", shaken_water<Paper>);
+    row("LinearState, WendlandC2, H = 1.25", "shaken box, disordered by a tenth",
+        [](const Plan& p) { return shaken_box(p, liquid<Sound>(), 1.25, 0.1); });
+    row("LinearState, WendlandC2, H = 1.25", "shaken box in 3D, disordered by a tenth",
+        [](const Plan& p) { return shaken_box<Sound, 3>(p, liquid<Sound>(), 1.25, 0.1); });
     row("DensityFloor, rate = 20", "shaken box", [](const Plan& p) {
         auto water = liquid<Floored>();
         water.set(sph::DensityFloorParameters{.rate = 20});
@@ -129,6 +133,17 @@ void add_limits(Table& table) {
             : rough == 0.3 ? "sheet of particles, rough by 0.3 spacings"
                            : "sheet of particles, rough by 0.45 spacings",
             [=](const Plan& p) { return shaken_sheet<3>(p, rough); });
+    for (const double poisson : {0.3, 0.499}) {
+        const char* law = poisson == 0.3 ? "StVenantKirchhoff, nu 0.3, thin" : "StVenantKirchhoff, nu 0.499, thin";
+        row(law, "shaken block of two by two",
+            [=](const Plan& p) { return shaken_body<2, Kirchhoff2>(p, {2, 2}, poisson, 2.01); });
+        row(law, "shaken block of two by two by two",
+            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {2, 2, 2}, poisson, 2.6); });
+        row(law, "shaken plate of two layers",
+            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {8, 8, 2}, poisson, 2.6); });
+        row(law, "shaken bar of three by three",
+            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {8, 3, 3}, poisson, 2.6); });
+    }
     row("paper's hypoelastic, nu 0.3", "shaken block",
         [](const Plan& p) { return shaken_block<2, Hypoelastic::Body>(p, 0.3, 2); });
     row("a spring to the origin", "one particle, let go a spacing away", swing<Spring>);

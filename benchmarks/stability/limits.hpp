@@ -93,16 +93,27 @@ Phase liquid(double viscosity = 0) {
     return Phase{{.density = 1000, .sound_speed = 30, .viscosity = viscosity}};
 }
 
-/// A free block of a total-Lagrangian solid with parameters of choice, shaken.
+/// A free body of so many particles each way of a solid with parameters of choice, shaken.
 template <int dim, class Body, class... Parameters>
-Outcome shaken_block(const Plan& plan, double poisson, double support, const Parameters&... parameters) {
+Outcome shaken_body(const Plan& plan, const std::array<int, dim>& particles, double poisson, double support,
+                    const Parameters&... parameters) {
     constexpr double spacing = 1e-2;
     sph::Solver<dim, double, sph::SymplecticEuler, Body> scene({.support_radius = support * spacing, .threads = 1});
     auto body = elastic<Body>(young, poisson, rho);
     (body.set(parameters), ...);
-    const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(dim == 2 ? 0.12 : 0.06);
+    const sph::Point<dim> lower = sph::Point<dim>::Zero();
+    sph::Point<dim> upper;
+    for (int d = 0; d < dim; ++d)
+        upper[d] = spacing * particles[static_cast<std::size_t>(d)];
     const auto block = scene.add(body, sph::fill(sph::Box<dim>{lower, upper}, spacing), spacing);
     return march_shaken<dim>(scene, block, 1e-4 * body.longitudinal_wave_speed(), plan);
+}
+/// A block of twelve by twelve, in 3D six by six by six.
+template <int dim, class Body, class... Parameters>
+Outcome shaken_block(const Plan& plan, double poisson, double support, const Parameters&... parameters) {
+    std::array<int, dim> particles;
+    particles.fill(dim == 2 ? 12 : 6);
+    return shaken_body<dim, Body>(plan, particles, poisson, support, parameters...);
 }
 
 /// A sheet of single particles of a total-Lagrangian solid, in 2D a row, moved by up to `rough` spacings, shaken.

@@ -213,6 +213,9 @@ struct TimeStepInput {
     /// The greatest component of a field in the phase, for terms of a phase that ask for one by
     /// `using limit_by_greatest = Field`; 0 before the first step if it is not computed once.
     double greatest = 0;
+    /// The least trace of a symmetric tensor in the phase, for terms of a phase that ask for one by
+    /// `using limit_by_least_trace = Field`; 0 before the first step if it is not computed once.
+    double least_trace = 0;
 };
 
 namespace detail {

@@ -24,16 +24,16 @@ constexpr double lame_lambda(const auto& material) {
 // The time a longitudinal wave takes across a particle, or less: corrected gradients are steep at free corners, the
 // more so the shorter the support r = H/spacing, and where volume is stiffer than shape a corner swings in all
 // directions at once. The factors lie below the exact limits, 2 over the highest frequency, of free cubes and squares
-// (tests/terms/test_total_lagrangian.cpp, which says how far above they are for bodies two or three particles thick),
+// (tests/terms/test_total_lagrangian.cpp, which says how far above they are for bodies three particles thick),
 // and not where particles are placed at random. The greatest speed is in the limit because a speed near that of sound
-// means strains near one, at which the laws stiffen.
-double elastic_wave_limit(const auto& material, const TimeStepInput& in) {
+// means strains near one, at which the laws stiffen. `thinness` is how much more gradients are corrected where the body
+// is thickest than inside a large one.
+double elastic_wave_limit(const auto& material, const TimeStepInput& in, double thinness = 1) {
     const double lambda = lame_lambda(material), r = in.support_radius / in.spacing;
     const double bulky = std::max(lambda / (lambda + 2 * material.shear_modulus), 0.0); // nu/(1 - nu)
-    double factor = std::sqrt(r / (in.dimension == 3 ? 1.2 + 1.5 * bulky : 0.9 + 1.1 * bulky));
-    if (in.dimension == 3)
-        factor = std::min(factor, r / 1.85);
-    return std::min(factor, 1.0) * in.spacing / (material.longitudinal_wave_speed() + in.max_speed);
+    const double most = (in.dimension == 3 ? std::min(r / 1.85, 1.0) : 1.0) / std::pow(thinness, 0.25);
+    const double factor = std::sqrt(r / thinness / (in.dimension == 3 ? 1.2 + 1.5 * bulky : 0.9 + 1.1 * bulky));
+    return std::min(factor, most) * in.spacing / (material.longitudinal_wave_speed() + in.max_speed);
 }
 
 } // namespace detail

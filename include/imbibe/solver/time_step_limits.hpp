@@ -105,7 +105,7 @@ private:
     template <class Term, class P>
     void add_term_of_phase(const TimeStepInput& in) {
         if constexpr (Which::template chosen<P, Term>)
-            add_term<Term, P>(material<P>(), with_greatest<Term, P>(in), material<P>());
+            add_term<Term, P>(material<P>(), with_extremes<Term, P>(in), material<P>());
     }
     template <class Term, class C, class A, class B>
     void add_term_of_coupling(const TimeStepInput& in) {
@@ -128,10 +128,20 @@ private:
         (add_term_of_coupling<typename Unwrapped<Term>::type, C, A, B>(in), ...);
     }
     template <class Term, class P>
-    TimeStepInput with_greatest(TimeStepInput in) const {
+    TimeStepInput with_extremes(TimeStepInput in) const {
         if constexpr (requires { typename Term::limit_by_greatest; }) {
             const auto& s = engine_.template state<P>();
             in.greatest = static_cast<double>(s.view(typename Term::limit_by_greatest{}).maxCoeff());
+        }
+        if constexpr (requires { typename Term::limit_by_least_trace; }) {
+            const auto tensors = engine_.template state<P>().view(typename Term::limit_by_least_trace{});
+            const auto diagonal = [&](int d) {
+                return tensors.col(SymmetricTensor<double, Engine::dimension>::index(d, d));
+            };
+            if constexpr (Engine::dimension == 2)
+                in.least_trace = static_cast<double>((diagonal(0) + diagonal(1)).minCoeff());
+            else
+                in.least_trace = static_cast<double>((diagonal(0) + diagonal(1) + diagonal(2)).minCoeff());
         }
         return in;
     }
