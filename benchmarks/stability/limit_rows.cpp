@@ -24,6 +24,8 @@ void add_limits(Table& table) {
         [](const Plan& p) { return shaken_box(p, liquid<Sound>(), 1.25, 0.1); });
     row("LinearState, WendlandC2, H = 1.25", "shaken box in 3D, disordered by a tenth",
         [](const Plan& p) { return shaken_box<Sound, 3>(p, liquid<Sound>(), 1.25, 0.1); });
+    row("LinearState, WendlandC2, H = 1.25, rough", "disordered shaken box",
+        [=](const Plan& p) { return shaken_box(p, liquid<Sound>(), 1.25, disorder); });
     row("DensityFloor, rate = 20", "shaken box", [](const Plan& p) {
         auto water = liquid<Floored>();
         water.set(sph::DensityFloorParameters{.rate = 20});

@@ -16,7 +16,7 @@ using stability::Row;
 // Those of which docs/stability.md says why they are longer or shorter than what holds.
 constexpr std::array explained_as_short{"Tait<7>, Spiky, H = 1.25", "DensityFloor, rate = 20",
                                         "paper's hypoelastic, nu 0.3", "KernelRepulsion within a phase"};
-constexpr std::array explained_as_long{"a spring to the origin"};
+constexpr std::array explained_as_long{"a spring to the origin", "LinearState, WendlandC2, H = 1.25, rough"};
 
 // Each of these limits some scene.
 constexpr std::array reasons{"sound",        "density floor",       "density diffusion",
