@@ -41,7 +41,7 @@ struct Bisected {
 };
 
 Bisected bisect(const Row& row, double highest) {
-    Bisected result{0, row.run({.cfl = 0.4, .value = row.value}), {}};
+    Bisected result{0, row.run({.cfl = 0.4, .value = row.value, .ask = true}), {}};
     double least_failed = 1e30;
     result.largest = largest_stable(0.2, 1, highest, [&](double cfl) {
         Outcome out = row.run({.cfl = cfl, .value = row.value});
@@ -98,12 +98,17 @@ void write_part(std::ostream& out, const std::string& part, const std::vector<Ro
         }
         out << "\n\n";
     }
-    out << "| composition | scene | limited by | largest stable CFL number | what fails beyond | indicators at 0.4 "
-           "(bound) | energy drift at 0.4 |\n|---|---|---|---|---|---|---|\n";
+    const bool asked = std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+        return cells[{row.composition, row.scene}].usual.asked > 0;
+    });
+    out << "| composition | scene | limited by | largest stable CFL number |" << (asked ? " asked |" : "")
+        << " what fails beyond | indicators at 0.4 (bound) | energy drift at 0.4 |\n|---|---|---|---|"
+        << (asked ? "---|" : "") << "---|---|---|\n";
     for (const Row& row : rows) {
         const Bisected& cell = cells[{row.composition, row.scene}];
         out << "| " << row.composition << " | " << row.scene << " | " << cell.usual.limit << " | "
-            << largest_words(cell, highest) << " | " << cell.beyond.cause << " | " << signs_of(cell.usual) << " | "
+            << largest_words(cell, highest) << " | "
+            << (!asked ? "" : cell.usual.asked > 0 ? number(cell.usual.asked) + " | " : " | ") << cell.beyond.cause << " | " << signs_of(cell.usual) << " | "
             << drift_of(cell.usual) << " |\n";
     }
 }

@@ -9,6 +9,7 @@
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/wall/no_slip.hpp>
 
 namespace stability {
@@ -23,7 +24,10 @@ Outcome march_shaken(auto& scene, const auto& phase, double speed, const Plan& p
                            .guard = {.energy = std::numeric_limits<double>::infinity()},
                            .signs = {{"kinetic energy over that at the start", 4}},
                            .expected_steps = 400};
-    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[phase])}; });
+    const double asked = plan.ask ? sph::longest_stable_step(scene) / scene.time_step_limits().front().seconds : 0;
+    Outcome out = march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[phase])}; });
+    out.asked = asked;
+    return out;
 }
 
 /// A periodic square (cube) of a material, shaken particle by particle in velocity and density.

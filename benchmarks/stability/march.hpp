@@ -24,6 +24,8 @@ struct Plan {
     double value = 0;
     /// Prints time, kinetic energy and signs about a hundred times.
     bool trace = false;
+    /// Asks `longest_stable_step` before the run, where the scene is one that is shaken.
+    bool ask = false;
 };
 
 /// What a case watches: a number, and the bound beyond which the case has failed.
@@ -45,6 +47,7 @@ struct Outcome {
     std::string limit; ///< the reason that limited most steps
     double share = 0;  ///< how many of them, as a share
     long long steps = 0;
+    double asked = 0; ///< what `longest_stable_step` said, as a share of the shortest limit; 0: it was not asked
 };
 
 /// How long a case runs and what it is watched by.

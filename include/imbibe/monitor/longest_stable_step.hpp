@@ -1,0 +1,234 @@
+// How long a step a scene bears as it is now, found by disturbing it: for forces and bodies whose limit nobody knows.
+#pragma once
+
+#include <imbibe/geometry/sampling.hpp>
+#include <imbibe/solver/solver.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace imbibe {
+
+/// How `longest_stable_step` looks.
+struct StableStepSettings {
+    /// The step is found to this share of itself.
+    double tolerance = 0.03;
+    /// For how many steps a disturbance is followed, for each length that is tried.
+    int steps = 100;
+    /// A step is too long if a disturbance comes to grow in each by more than this factor and what it grows in the same
+    /// time with short steps: a heavy fluid sinks into a light one, particles in tension draw together, whatever the
+    /// step.
+    double growth = 1.05;
+    /// How large disturbances are, in spacings: small, so that all is linear, and large beside the rounding of
+    /// coordinates. 0: 1e-6 in double, 1e-3 in float.
+    double size = 0;
+
+    /// Throws Error for a number out of range.
+    void check() const {
+        require(tolerance > 0 && tolerance <= 0.5, "StableStepSettings::tolerance = ", tolerance,
+                "; it must be above 0 and at most 0.5");
+        require(steps >= 20, "StableStepSettings::steps = ", steps, "; it must be at least 20");
+        require(growth > 1 && growth <= 2, "StableStepSettings::growth = ", growth,
+                "; it must be above 1 and at most 2");
+        require(size >= 0 && size <= 0.1, "StableStepSettings::size = ", size,
+                " spacings; it must be at most 0.1, or 0 for 1e-6 (in float 1e-3)");
+    }
+};
+
+namespace detail {
+
+/// Three copies of a scene, of which one stays as it was, one takes an undisturbed step and one a disturbed one. What
+/// the steps make of the difference is the next disturbance: power iteration with the step's own derivative.
+template <class Scene>
+class DisturbedScene {
+public:
+    DisturbedScene(const Scene& scene, double size) : start_(scene), size_(size) {
+        start_.prepare();
+        start_.engine().for_each_phase([&](auto, const auto& s) {
+            if (s.size() > 0)
+                spacing_ = std::min(spacing_, s.material.spacing);
+        });
+    }
+
+    /// The shortest limit that is known, or the longest step that the settings allow, s.
+    double first_step() const {
+        const auto limits = start_.time_step_limits();
+        return limits.empty() ? start_.settings().max_time_step : limits.front().seconds;
+    }
+    /// The logarithm of the factor by which a disturbance comes to grow in a step of `dt`, s: the mean over the later
+    /// half of so many `steps`. Infinite where there is no telling.
+    double growth(double dt, int steps) {
+        constexpr double beyond_doubt = 50, infinity = std::numeric_limits<double>::infinity();
+        undisturbed_ = start_;
+        try {
+            undisturbed_.step(dt);
+            shake(dt);
+            double grown = 0;
+            for (int k = 0; k < steps; ++k) {
+                disturbed_ = start_;
+                disturb();
+                disturbed_.step(dt);
+                const double by = std::log(compare(dt)); // -infinity where nothing is left of it
+                if (!(by < beyond_doubt))
+                    return infinity;
+                if (by < -beyond_doubt)
+                    return by;
+                if (k >= steps / 2)
+                    grown += by;
+            }
+            return grown / (steps - steps / 2);
+        } catch (const Error&) {
+            return infinity;
+        }
+    }
+
+private:
+    template <class P>
+    using State = typename Scene::template State<P>;
+    template <class P>
+    static constexpr std::size_t phase_index = Scene::Scene::template phase_index<P>;
+
+    Scene start_, undisturbed_ = start_, disturbed_ = start_;
+    double size_; // in spacings
+    double spacing_ = std::numeric_limits<double>::infinity();
+    // By phase: what is added to each of its numbers, columns one after the other, in the order of `start_`.
+    std::array<std::vector<double>, Scene::Phases::size> disturbance_;
+
+    // All velocities at random.
+    void shake(double dt) {
+        start_.engine().for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+            auto& numbers = disturbance_[phase_index<P>];
+            const auto n = static_cast<std::size_t>(s.size());
+            numbers.assign(n * static_cast<std::size_t>(State<P>::component_total), 0.0);
+            if constexpr (P::moves)
+                for (std::size_t d = 0; d < Scene::dimension; ++d)
+                    for (std::size_t i = 0; i < n; ++i)
+                        numbers[(State<P>::template offset<Velocity> + d) * n + i] =
+                            size_ * spacing_ / dt * (2 * random_number(1, i, d) - 1);
+        });
+    }
+    void disturb() {
+        disturbed_.engine().for_each_phase([&]<class P>(std::type_identity<P>, const State<P>&) {
+            State<P>& s = disturbed_[PhaseHandle<P>{}].state;
+            const double* by = disturbance_[phase_index<P>].data();
+            for (int k = 0; k < State<P>::component_total; ++k)
+                for (int i = 0; i < s.size(); ++i, ++by)
+                    s.column(k)[i] = static_cast<typename Scene::Real>(static_cast<double>(s.column(k)[i]) + *by);
+            s.pad();
+        });
+    }
+    // The difference of the two scenes becomes the disturbance, as large as it was: the factor by which it has grown.
+    double compare(double dt) {
+        double greatest = 0;
+        start_.engine().for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+            if (s.size() > 0)
+                greatest = std::max(greatest, subtract<P>(s, dt));
+        });
+        const double grown = greatest / (size_ * spacing_);
+        for (auto& numbers : disturbance_)
+            for (double& number : numbers)
+                number /= grown;
+        return grown;
+    }
+    // The greatest way, or velocity times dt, by which a particle of the phase differs, m.
+    template <class P>
+    double subtract(const State<P>& start, double dt) {
+        const auto without = places_by_id<P>(undisturbed_), with = places_by_id<P>(disturbed_);
+        const State<P>& a = *without.state;
+        const State<P>& b = *with.state;
+        double* to = disturbance_[phase_index<P>].data();
+        double greatest = 0;
+        for (int k = 0; k < State<P>::component_total; ++k) {
+            const int axis = k - State<P>::template offset<Position>;
+            const bool is_place = axis >= 0 && axis < Scene::dimension;
+            const double period = is_place ? start_.settings().periodic_length[static_cast<std::size_t>(axis)] : 0.0;
+            double unit = is_place ? 1 : 0; // what makes it a way
+            if constexpr (P::moves)
+                if (const int d = k - State<P>::template offset<Velocity>; d >= 0 && d < Scene::dimension)
+                    unit = dt;
+            for (const std::uint32_t id : start.ids) {
+                double by = static_cast<double>(b.column(k)[with.place[id]]) -
+                            static_cast<double>(a.column(k)[without.place[id]]);
+                if (period > 0) // one of the two has come in on the other side
+                    by -= period * std::round(by / period);
+                greatest = std::max(greatest, unit * std::abs(by));
+                *to++ = by;
+            }
+        }
+        return greatest;
+    }
+    template <class P>
+    struct Places {
+        const State<P>* state;
+        std::vector<int> place; // of the particle with that number
+    };
+    template <class P>
+    static Places<P> places_by_id(const Scene& scene) {
+        Places<P> all{&scene[PhaseHandle<P>{}].state, {}};
+        const auto& ids = all.state->ids;
+        all.place.resize(*std::max_element(ids.begin(), ids.end()) + std::size_t{1});
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            all.place[ids[i]] = static_cast<int>(i);
+        return all;
+    }
+};
+
+} // namespace detail
+
+/// The longest step, s, that a scene bears as it is now: `longest_stable_step(scene)`. With longer ones small
+/// disturbances grow. It needs no limit of any term, knows how particles lie and what adds up, and takes the integrator
+/// as it is; so it is for forces that a program brings along without a limit of their own, for bodies that are thin in
+/// places, and to see how far `scene.time_step_limits().front()` is from the truth.
+///
+/// Copies of the scene take steps of the same length from the same state over and over, with and without a disturbance
+/// of all particles, and the difference they make is the next disturbance: power iteration with the derivative of the
+/// whole step, a hundred times, which is enough for the shortest waves. From the shortest limit on the length is halved
+/// until disturbances hardly grow, which gives the rate at which they grow whatever the step; then doubled until they
+/// grow faster than that, and bisected. All of it takes as long as about a thousand steps, and the memory of four
+/// scenes; `scene` itself stays as it is.
+///
+/// It is a statement about this state: where particles come nearer to each other later, forces are stiffer, and what is
+/// unstable for as long as a single pair is that near need not be in a flow. It sees nothing that is not small, as an
+/// impact, and in a scene at rest no dissipation that begins with speed.
+///
+/// @param scene the scene, @param settings how it looks
+/// @return the step, s; 64 times the shortest limit (or Settings::max_time_step where none is known) if that is borne
+/// @throws Error where disturbances grow in every step however short, for settings out of range, and what
+/// `scene.prepare()` throws
+template <class Scene>
+double longest_stable_step(const Scene& scene, const StableStepSettings& settings = {}) {
+    settings.check();
+    const double standard = std::is_same_v<typename Scene::Real, float> ? 1e-3 : 1e-6;
+    detail::DisturbedScene<Scene> copies(scene, settings.size > 0 ? settings.size : standard);
+    const double allowed = std::log(settings.growth), first = copies.first_step();
+
+    double borne = first, growth = copies.growth(borne, settings.steps);
+    while (growth > allowed) {
+        borne /= 2;
+        require(borne > first / 8192, "longest_stable_step: disturbances grow by more than a factor of ",
+                settings.growth, " in every step, though it be only ", 2 * borne,
+                " s long. That is not by the length of the steps; look at the forces, or at the state it is in");
+        growth = copies.growth(borne, settings.steps);
+    }
+    const double rate = std::max(growth, 0.0) / borne; // 1/s, whatever the step
+    const auto bears = [&](double dt) { return copies.growth(dt, settings.steps) < allowed + 1.2 * rate * dt; };
+    double too_long = 2 * borne;
+    while (bears(too_long)) {
+        borne = too_long;
+        if (borne >= 64 * first)
+            return borne;
+        too_long *= 2;
+    }
+    while (too_long > borne * (1 + settings.tolerance)) {
+        const double between = std::sqrt(borne * too_long);
+        (bears(between) ? borne : too_long) = between;
+    }
+    return borne;
+}
+
+} // namespace imbibe
