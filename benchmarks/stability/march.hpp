@@ -60,26 +60,6 @@ struct Watch {
     double expected_steps = 0;       ///< at cfl = 1; twenty times as many and the steps have collapsed
 };
 
-/// The energy that a phase stores, J: of compression, of shear (s:s/4G), or that of its total-Lagrangian law. Without
-/// hourglass control and repulsion.
-template <class P, class View>
-double stored_energy(const View& phase) {
-    using State = std::remove_cvref_t<decltype(phase.state)>;
-    constexpr int dim = std::remove_cvref_t<decltype(phase[sph::position])>::ColsAtCompileTime;
-    if constexpr (State::template stores<sph::AveragedMeanStress>) {
-        return std::numeric_limits<double>::quiet_NaN(); // that of volumes averaged over neighbours
-    } else if constexpr (State::template stores<sph::DeformationGradientField>) {
-        return sph::elastic_energy<dim>(phase);
-    } else {
-        double energy = 0;
-        if constexpr (State::template stores<sph::Density>)
-            energy += sph::compression_energy(phase);
-        if constexpr (State::template stores<sph::DeviatoricStress>)
-            energy += sph::shear_energy<dim>(phase);
-        return energy;
-    }
-}
-
 /// Kinetic energy of all that moves, J, and with what is stored and the weight.
 struct Energy {
     double kinetic = 0, all = 0;
@@ -93,8 +73,11 @@ Energy energy_of(const Scene& scene) {
             const double kinetic = sph::kinetic_energy(phase);
             sum.kinetic += kinetic;
             sum.all += kinetic + sph::potential_energy(phase, scene.settings().gravity);
-            if (scene.steps() > 0) // before, nothing is evaluated yet, and nothing stored
-                sum.all += stored_energy<P>(phase);
+            using State = std::remove_cvref_t<decltype(phase.state)>;
+            if (State::template stores<sph::AveragedMeanStress>) // its energy is that of averaged volumes
+                sum.all = std::numeric_limits<double>::quiet_NaN();
+            else if (scene.steps() > 0) // before, nothing is evaluated yet, and nothing stored
+                sum.all += sph::stored_energy(phase);
         }
     });
     return sum;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/solid/deformation_gradient.hpp>
+#include <imbibe/solid/neo_hookean.hpp>
 #include <imbibe/solver/solver.hpp>
 
 namespace imbibe {
@@ -16,11 +17,16 @@ double particle_sum(const View& phase, const F& f) {
     return total;
 }
 
+/// Does a term of a solid say what a deformation stores?
+template <int dim, class Solid, class Terms>
+inline constexpr bool has_stored_energy = false;
+template <int dim, class Solid, class... Terms>
+inline constexpr bool has_stored_energy<dim, Solid, TypeList<Terms...>> =
+    (requires(const Solid& solid, const Tensor<double, dim>& F) { Terms::stored_energy(solid, F); } || ...);
+
 /// What the terms of a solid say that the deformation F stores, J/m^3 of the stress-free solid.
 template <int dim, class Solid, class... Terms>
 double stored_energy(const Solid& solid, const Tensor<double, dim>& F, TypeList<Terms...>) {
-    static_assert((requires { Terms::stored_energy(solid, F); } || ...),
-                  "elastic_energy: no term of this phase has a stored_energy");
     double sum = 0;
     const auto add = [&]<class Term>(std::type_identity<Term>) {
         if constexpr (requires { Term::stored_energy(solid, F); })
@@ -28,6 +34,19 @@ double stored_energy(const Solid& solid, const Tensor<double, dim>& F, TypeList<
     };
     (add(std::type_identity<Terms>{}), ...);
     return sum;
+}
+
+/// sum_a V_a psi(F_a), J, with the stress-free volumes.
+template <int dim, class View, class Density>
+double sum_over_deformations(const View& phase, const Density& psi) {
+    const auto m = phase[mass];
+    const auto F = phase[deformation_gradient];
+    return particle_sum(phase, [&](int i) {
+        Tensor<double, dim> f;
+        for (int k = 0; k < f.size; ++k)
+            f[k] = static_cast<double>(F(i, k));
+        return static_cast<double>(m(i)) / phase.material().density * psi(f);
+    });
 }
 } // namespace detail
 
@@ -91,16 +110,40 @@ double shear_energy(const View& phase) {
 /// whose terms have none, as those of VolumetricDeviatoric, whose energy is not that of single particles.
 template <int dim, class View>
 double elastic_energy(const View& phase) {
-    using Terms = typename std::remove_cvref_t<decltype(phase.material())>::terms;
-    const auto m = phase[mass];
-    const auto F = phase[deformation_gradient];
-    const auto& material = phase.material();
-    return detail::particle_sum(phase, [&](int i) {
-        Tensor<double, dim> f;
-        for (int k = 0; k < f.size; ++k)
-            f[k] = F(i, k);
-        return m(i) / material.density * detail::stored_energy<dim>(material, f, Terms{});
+    using Solid = std::remove_cvref_t<decltype(phase.material())>;
+    static_assert(detail::has_stored_energy<dim, Solid, typename Solid::terms>,
+                  "elastic_energy: no term of this phase has a stored_energy");
+    return detail::sum_over_deformations<dim>(phase, [&](const Tensor<double, dim>& F) {
+        return detail::stored_energy<dim>(phase.material(), F, typename Solid::terms{});
     });
+}
+
+/// What a phase stores, J, as far as that is known: a total-Lagrangian solid its `elastic_energy`, by NeoHookean's law
+/// where its own says none, and nothing before the first step, when no deformation is computed yet; any other phase
+/// with a density its `compression_energy`, and with a stress rate its `shear_energy`. Without hourglass control and
+/// what repulsions store; by `compression_energy` also where the equation of state is not linear.
+template <class View>
+double stored_energy(const View& phase) {
+    using State = std::remove_cvref_t<decltype(phase.state)>;
+    using Phase = std::remove_cvref_t<decltype(phase.material())>;
+    constexpr int dim = std::remove_cvref_t<decltype(phase[position])>::ColsAtCompileTime;
+    if constexpr (State::template stores<DeformationGradientField>) {
+        if (phase[deformation_gradient].isZero(0))
+            return 0;
+        if constexpr (detail::has_stored_energy<dim, Phase, typename Phase::terms>)
+            return elastic_energy<dim>(phase);
+        else
+            return detail::sum_over_deformations<dim>(phase, [&](const Tensor<double, dim>& F) {
+                return NeoHookean::stored_energy<dim>(phase.material(), F);
+            });
+    } else {
+        double energy = 0;
+        if constexpr (State::template stores<Density>)
+            energy += compression_energy(phase);
+        if constexpr (State::template stores<DeviatoricStress>)
+            energy += shear_energy<dim>(phase);
+        return energy;
+    }
 }
 
 /// sum_a m_a v_a, kg m/s.

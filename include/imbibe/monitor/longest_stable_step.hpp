@@ -61,7 +61,8 @@ public:
         return limits.empty() ? start_.settings().max_time_step : limits.front().seconds;
     }
     /// The logarithm of the factor by which a disturbance comes to grow in a step of `dt`, s: the mean over the later
-    /// half of so many `steps`. Infinite where there is no telling.
+    /// half of so many `steps`, less what a velocity that stays as it is makes ways grow meanwhile. Infinite where there
+    /// is no telling.
     double growth(double dt, int steps) {
         constexpr double beyond_doubt = 50, infinity = std::numeric_limits<double>::infinity();
         undisturbed_ = start_;
@@ -81,7 +82,7 @@ public:
                 if (k >= steps / 2)
                     grown += by;
             }
-            return grown / (steps - steps / 2);
+            return (grown - std::log(2.0)) / (steps - steps / 2);
         } catch (const Error&) {
             return infinity;
         }

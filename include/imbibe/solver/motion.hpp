@@ -85,26 +85,19 @@ public:
                 to[k] += static_cast<Real>(by) * free * v[k];
             }
     }
-    /// Keeps a copy of the accelerations, of all that moves.
-    void keep_accelerations() { keep_accelerations_if<Every>(); }
-    /// The accelerations as they were kept. The order of the particles must not have changed since.
-    void restore_accelerations() { restore_accelerations_if<Every>(); }
-    /// The same for the phases with Chosen<P>::value.
-    template <template <class> class Chosen>
-    void keep_accelerations_if() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves && Chosen<P>::value) {
-                auto& copy = std::get<Kept<P>>(kept).accelerations;
-                copy.resize(s.stride() * static_cast<std::size_t>(dim));
-                copy_vectors(s.field(acceleration), copy.data(), s.stride(), s.size());
-            }
+    /// Keeps a copy of the sums on top of which the pass `What` acts: its columns `kept`.
+    template <class What>
+    void keep_sums() {
+        for_each_kept<What>([&](auto& copy, const auto& s, int column, std::size_t at) {
+            copy.resize(std::max(copy.size(), (at + 1) * s.stride()));
+            std::copy_n(s.column(column), s.size(), copy.data() + at * s.stride());
         });
     }
-    template <template <class> class Chosen>
-    void restore_accelerations_if() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves && Chosen<P>::value)
-                copy_vectors(std::get<Kept<P>>(kept).accelerations.data(), s.field(acceleration), s.stride(), s.size());
+    /// These sums as they were kept. The order of the particles must not have changed since.
+    template <class What>
+    void restore_sums() {
+        for_each_kept<What>([&](const auto& copy, auto& s, int column, std::size_t at) {
+            std::copy_n(copy.data() + at * s.stride(), s.size(), s.column(column));
         });
     }
 
@@ -130,7 +123,7 @@ private:
     static constexpr std::size_t kept_offset = static_cast<std::size_t>(component_offset<dim, F, KeptFields<P>>);
     template <class P>
     struct Kept {
-        AlignedVector<Real> values, accelerations;
+        AlignedVector<Real> values, sums;
     };
     template <class List>
     struct AllKept;
@@ -140,12 +133,19 @@ private:
     };
     typename AllKept<typename Scene::Phases>::type kept;
 
-    [[gnu::noinline]] void copy_vectors(const Real* from, Real* to, std::size_t stride, int n) {
-        const auto block = [&](int begin, int end) {
-            for (std::size_t d = 0; d < dim; ++d)
-                std::copy_n(from + d * stride + begin, end - begin, to + d * stride + begin);
-        };
-        loop_blocks(n, 4096, this->threads, Callable<void(int, int)>(block));
+    // Calls f(copy, state, column, k) for every column that the pass `What` keeps, the k-th of its phase.
+    template <class What, class F>
+    void for_each_kept(const F& f) {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            std::size_t k = 0;
+            [&]<class... G>(TypeList<G...>) { (columns_kept<What, P, G>(f, s, k), ...); }(FieldsOf<P>{});
+        });
+    }
+    template <class What, class P, class G, class F>
+    void columns_kept(const F& f, State<P>& s, std::size_t& k) {
+        if constexpr (What::kept.test(Scene::template column<P, G>))
+            for (int c = 0; c < components(G::rank, dim); ++c, ++k)
+                f(std::get<Kept<P>>(kept).sums, s, State<P>::template offset<G> + c, k);
     }
     template <class S, class... F>
     static void copy_kept(const S& s, AlignedVector<Real>& copy, TypeList<F...> list) {

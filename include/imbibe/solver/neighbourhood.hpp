@@ -71,6 +71,12 @@ public:
             s.pad();
         });
     }
+    /// The same for phase P, if its own particles look for neighbours where they are now.
+    template <class P>
+    void refresh_places_among() {
+        if constexpr (State<P>::keeps_reference && contains<Link<P, P, false>, Links>)
+            copy_places_to_image(this->template state<P>());
+    }
     /// Will `find_neighbours` search, if it is called `ahead` calls from now and nothing travels far until then?
     bool search_is_due(int ahead = 1) const {
         double farthest = 0;

@@ -1,6 +1,8 @@
 // Parts of a step, for integrators that do not evaluate all terms at once, or some more often than others: which rows
 // of the schedule belong to them. A pass is what an engine runs: rows, the plan that orders them, the columns they add
-// to, and `gravity`: does the acceleration of all phases start from gravity, or is something in it already?
+// to, which start from zero, and `gravity`: does the acceleration of all phases start from gravity, or is something in it
+// already? A pass that is run several times has columns that are `kept`: they start each time from what another pass,
+// which is run once, has put into them.
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>
@@ -80,12 +82,14 @@ public:
     using Others = Filter<IsOther, typename Scene::StepRows>;
 };
 
-/// The terms of phase P itself, which act on top of what couplings have put into its acceleration.
+/// The terms of phase P itself, which act on top of what couplings have put into its acceleration and its other sums.
 template <class Scene, class P>
 struct OwnTerms {
     using Rows = typename RowsOfPhase<Scene, P>::Own;
     static constexpr Plan plan = Scene::plan_of(Rows{}, typename RowsOfPhase<Scene, P>::Others{});
-    static constexpr Bits added = Scene::added_by(Rows{}) - Scene::template columns<P>(TypeList<Rate<Velocity>>{});
+    static constexpr Bits kept = Scene::template columns<P>(TypeList<Rate<Velocity>>{}) |
+                                 (Scene::added_by(Rows{}) & Scene::added_by(typename RowsOfPhase<Scene, P>::Others{}));
+    static constexpr Bits added = Scene::added_by(Rows{}) - kept;
     static constexpr bool gravity = false;
 };
 
@@ -214,12 +218,15 @@ struct TermsOf {
     static constexpr bool gravity = true;
 };
 
-/// All other terms, which act on top of what those in the list have put into accelerations; states advance.
+/// All other terms, which act on top of what those in the list have put into accelerations and other sums; states
+/// advance.
 template <class Scene, class List>
 struct AllButTermsOf {
     using Rows = typename RowsOfTerms<Scene, List>::Others;
     static constexpr Plan plan = Scene::plan_of(Rows{}, typename RowsOfTerms<Scene, List>::Listed{});
-    static constexpr Bits added = Scene::added_by(Rows{}) - RowsOfTerms<Scene, List>::accelerations();
+    static constexpr Bits kept = RowsOfTerms<Scene, List>::accelerations() |
+                                 (Scene::added_by(Rows{}) & Scene::added_by(typename RowsOfTerms<Scene, List>::Listed{}));
+    static constexpr Bits added = Scene::added_by(Rows{}) - kept;
     static constexpr bool gravity = false;
 };
 

@@ -7,8 +7,8 @@ namespace imbibe {
 
 /// SymplecticEuler in short steps, as long as sound and what else is stiff allow, within a long one, as long as it
 /// takes a particle to move by a part of its spacing. In the long step neighbours are found and the terms named here
-/// are evaluated, with the states as they are; what they add to accelerations, and transport corrections that they set,
-/// are the same in all of its short steps:
+/// are evaluated, with the states as they are; what they add to accelerations and to sums that other terms add to as
+/// well, and transport corrections that they set, are the same in all of its short steps:
 ///   a_slow = a_slow(x, rho, v);  then, n times,
 ///   rho' = rho + dt/n D(x, v),  v' = v + dt/n (a(x, rho') + a_slow),  x' = x + dt/n v'.
 ///
@@ -51,15 +51,16 @@ struct DualStepping {
     template <class Engine>
     static void step(Engine& engine, double dt, int substeps) {
         using Composition = typename Engine::Composition;
+        using Fast = typename Composition::template AllButTermsOf<Slow>;
         engine.find_neighbours();
         engine.template run<typename Composition::template TermsOf<Slow>>(dt);
-        engine.keep_accelerations();
+        engine.template keep_sums<Fast>();
         for (int k = 0; k < substeps; ++k) {
             if (k > 0) {
                 engine.refresh_places();
-                engine.restore_accelerations();
+                engine.template restore_sums<Fast>();
             }
-            engine.template run<typename Composition::template AllButTermsOf<Slow>>(dt / substeps);
+            engine.template run<Fast>(dt / substeps);
             engine.kick(dt / substeps);
             engine.drift(dt / substeps);
         }

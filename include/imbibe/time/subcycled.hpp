@@ -33,9 +33,9 @@ struct SubcycledWithoutMean {
 } // namespace rules
 
 /// SymplecticEuler for the scene, with steps that the limits of phase `Fast` do not shorten: within each, `Fast` takes
-/// as many steps of its own as its limits ask for, under the force that its couplings had at the beginning. What the
-/// others see of it is its position and its mean velocity over the last step, so that their densities follow the
-/// volume it has swept.
+/// as many steps of its own as its limits ask for, under the force that its couplings had at the beginning, and with
+/// what they added to its other sums then. What the others see of it is its position and its mean velocity over the last
+/// step, so that their densities follow the volume it has swept.
 ///
 /// For a stiff structure in soft company: metal or rubber in water, where the solid's sound speed is several times the
 /// fluid's. `Fast` must list TimeAveragedMotion. Not where `Fast` is so light that the fluid's force must follow each
@@ -61,7 +61,10 @@ struct Subcycled {
     template <class Engine>
     static void start(Engine& engine) {
         if constexpr (Engine::template State<Fast>::template stores<MeanVelocity>) {
-            engine.template run<typename Engine::Composition::template OwnTerms<Fast>>(0);
+            using Composition = typename Engine::Composition;
+            engine.template run<typename Composition::template OwnTerms<Fast>>(0);
+            engine.template run<typename Composition::template AllButOwnTerms<Fast>>(0); // its share of sums
+            engine.template run<typename Composition::template OwnTerms<Fast>>(0);
             auto& fast = engine.template state<Fast>();
             std::copy_n(fast.field(velocity), Engine::dimension * fast.stride(), fast.field(mean_velocity));
         } else {
@@ -75,6 +78,7 @@ struct Subcycled {
     template <class Engine>
     static void step(Engine& engine, double dt, int substeps) {
         using Composition = typename Engine::Composition;
+        using Own = typename Composition::template OwnTerms<Fast>;
         auto& fast = engine.template state<Fast>();
         engine.find_neighbours();
 
@@ -86,10 +90,13 @@ struct Subcycled {
 
         auto* const mean = fast.field(mean_velocity);
         std::fill_n(mean, Engine::dimension * fast.stride(), std::remove_pointer_t<decltype(mean)>(0));
-        engine.template keep_accelerations_if<IsFast>(); // by couplings and gravity
+        engine.template keep_sums<Own>(); // by couplings and gravity
         for (int k = 0; k < substeps; ++k) {
-            engine.template restore_accelerations_if<IsFast>();
-            engine.template run<typename Composition::template OwnTerms<Fast>>(dt / substeps);
+            if (k > 0) {
+                engine.template refresh_places_among<Fast>();
+                engine.template restore_sums<Own>();
+            }
+            engine.template run<Own>(dt / substeps);
             engine.template kick_if<IsFast>(dt / substeps);
             engine.template drift_if<IsFast>(dt / substeps);
             engine.template add_velocities<Fast>(mean, 1.0 / substeps);
