@@ -172,18 +172,37 @@ TEST_CASE("An interval of every() that makes no sense is refused by that name", 
     REQUIRE_THROWS_WITH(sph::every(std::nan(""), nothing), imbibe_test::contains("interval = nan s"));
 }
 
-TEST_CASE("every() calls at once where time has gone back", "[reports]") {
-    std::vector<double> times;
-    auto observer = sph::every(0.5, [&](const auto& s) { times.push_back(s.time()); });
+TEST_CASE("every() calls at the same steps where a run goes on and where time has gone back", "[reports]") {
     struct Clock {
-        double now;
+        double now, step;
         double time() const { return now; }
+        long long steps() const { return now > 0; }
+        sph::TimeStepLimit last_step() const { return {step, "", ""}; }
     };
-    for (const double now : {0., 0.3, 0.6, 0.9, 1.1, 0.7, 0.8, 1.0, 1.0, 1.2}) {
-        Clock clock{now};
+    std::vector<double> times;
+    const auto note = [&](const auto& s) { times.push_back(s.time()); };
+    auto observer = sph::every(0.5, note);
+    const std::vector<Clock> run{{0, 0}, {0.3, 0.3}, {0.6, 0.3}, {0.9, 0.3}, {1.1, 0.2}};
+    for (const Clock& clock : run)
         observer(clock);
+    CHECK(times == std::vector<double>{0, 0.6, 1.1});
+    SECTION("back to a step at which it was not called") {
+        for (const Clock& clock : {Clock{0.9, 0.3}, Clock{1.1, 0.2}, Clock{1.1, 0.2}, Clock{1.2, 0.1}})
+            observer(clock);
+        CHECK(times == std::vector<double>{0, 0.6, 1.1, 1.1});
     }
-    CHECK(times == std::vector<double>{0, 0.6, 1.1, 0.7, 1.0});
+    SECTION("back to one at which it was") {
+        for (const Clock& clock : {Clock{0.6, 0.3}, Clock{0.9, 0.3}})
+            observer(clock);
+        CHECK(times == std::vector<double>{0, 0.6, 1.1, 0.6});
+    }
+    for (std::size_t from = 1; from < run.size(); ++from) { // a restart after any step
+        auto again = sph::every(0.5, note);
+        times.clear();
+        for (std::size_t k = from; k < run.size(); ++k)
+            again(run[k]);
+        CHECK(times == (from <= 2 ? std::vector<double>{0.6, 1.1} : std::vector<double>{1.1}));
+    }
 }
 
 TEST_CASE("The estimate of the wall time steps a copy, and is nothing for nothing to do", "[reports]") {

@@ -45,6 +45,22 @@ std::string type_name() {
     return std::string(colon == std::string_view::npos ? name : name.substr(colon + 2));
 }
 
+/// The name of phase P among those of a scene: where another one has the same name, as `Body<0>` and `Body<1>` do, with
+/// its number in the list behind it.
+template <class P, class... All>
+std::string name_among(TypeList<All...>) {
+    const std::string name = type_name<P>();
+    int same = 0, number = 0, k = 0;
+    const auto count = [&](const std::string& other, bool itself) {
+        ++k;
+        same += other == name;
+        if (itself)
+            number = k;
+    };
+    (count(type_name<All>(), std::is_same_v<All, P>), ...);
+    return same > 1 ? text(name, "_", number) : name;
+}
+
 inline void require_positive(double value, std::string_view phase, std::string_view name, std::string_view unit) {
     require(std::isfinite(value) && value > 0, phase, ": ", name, " = ", value, " ", unit,
             value == required ? " (not given)" : "", "; it must be a finite number above 0 ", unit,

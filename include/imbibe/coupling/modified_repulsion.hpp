@@ -74,13 +74,22 @@ struct ModifiedRepulsion {
     /// in which a particle crosses it. d is the depth, at most 1, that the nearest pair comes to with the greatest
     /// speeds of the two phases together, v: d^3 = d_0^3 + (v/U)^2. Infinite where nothing moves and nothing is in reach.
     static double time_step_limit(const auto&, const auto&, const TimeStepInput& in, const Parameters& parameters) {
-        const double reach = parameters.range * 0.5 * (in.spacing + in.other_spacing);
+        const double reach = std::min(parameters.range * 0.5 * (in.spacing + in.other_spacing), in.support_radius);
         if (!(parameters.speed > 0 && reach > 0))
             return std::numeric_limits<double>::infinity();
         const double fastest = in.max_speed + in.other_max_speed;
         const double depth_now = in.nearest < reach ? 1 - in.nearest / reach : 0.0;
         const double depth = std::min(std::cbrt(power<3>(depth_now) + sq(fastest / parameters.speed)), 1.0);
         return reach / std::max(0.5 * std::sqrt(3 * depth) * parameters.speed, fastest);
+    }
+    /// The same within one phase, for pairs of any depth: r_0/max(sqrt(3) U/2, 2 v) min(1, (1.25 spacings/r_0)^(dim/2)),
+    /// s; the last factor is that of KernelRepulsion, for the number of particles that one meets.
+    static double time_step_limit(const auto&, const TimeStepInput& in, const Parameters& parameters) {
+        const double reach = std::min(parameters.range * in.spacing, in.support_radius);
+        if (!(parameters.speed > 0 && reach > 0))
+            return std::numeric_limits<double>::infinity();
+        const double many = std::pow(std::min(1.0, 1.25 * in.spacing / reach), 0.5 * in.dimension);
+        return many * reach / std::max(0.5 * std::sqrt(3.0) * parameters.speed, 2 * in.max_speed);
     }
 };
 

@@ -131,6 +131,10 @@ struct CorrectedPressure {
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return acoustic_time_step(material, in) / std::cbrt(1 + 1.4 * (std::max(in.greatest, 1.0) - 1));
     }
+    /// Between two phases that of VolumePressure, s: what is light is pushed to and fro, whose continuity it may be.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        return interface_time_step(material_a, material_b, in);
+    }
 };
 
 /// dv_a/dt = sum_b m_b (eta_a + eta_b)/(rho_a rho_b) (x_ab . L_ab grad_a W_ab)/|x_ab|^2 (v_a - v_b), in m/s^2, with the

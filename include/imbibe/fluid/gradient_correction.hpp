@@ -97,11 +97,14 @@ struct AntuonoDiffusionParameters {
 /// DensityDiffusion does, of which this is the version for flows where gravity is not all that acts. It costs one more
 /// sweep.
 ///
-/// Not in a coupling: across an interface densities differ for good reason. Not for a fluid of two densities.
+/// Not in a coupling: across an interface densities differ for good reason. Not for a fluid of two densities. Not where
+/// walls or solids count in L (CorrectionNeighbours in a coupling): its gradient is summed over the fluid alone, and
+/// would be half of what it is beside a wall.
 ///
 /// Source: Antuono, Colagrossi, Marrone and Molteni (2010).
 template <class Kernel = WendlandC2>
 struct AntuonoDiffusion {
+    using never_in_couplings = CorrectionNeighbours<Kernel>;
     using Parameters = AntuonoDiffusionParameters;
 
     struct Sum {

@@ -24,8 +24,12 @@ public:
         if constexpr (!std::remove_cvref_t<decltype(phase.state)>::keeps_reference)
             period = settings.periodic_length;
         const auto x = phase[position];
-        for (int i = 0; i < phase.size(); ++i)
-            start.at(phase.ids()[static_cast<std::size_t>(i)]) = x.row(i).transpose().template cast<double>();
+        for (int i = 0; i < phase.size(); ++i) {
+            const std::size_t id = phase.ids()[static_cast<std::size_t>(i)];
+            require(id < start.size(), "DisplacementProbe: particle ", id, " of a phase with ", start.size(),
+                    " particles; it is not for phases from which particles were removed");
+            start[id] = x.row(i).transpose().template cast<double>();
+        }
     }
     /// The mean of |x_a - x_a(0)|, m: the paper's average displacement, with the length of the vector.
     template <class View>
@@ -71,7 +75,10 @@ private:
                 " particles, but there are ", phase.size(),
                 " now; make the probe anew when particles were added or removed");
         for (int i = 0; i < phase.size(); ++i) {
-            const auto& from = start.at(phase.ids()[static_cast<std::size_t>(i)]);
+            const std::size_t id = phase.ids()[static_cast<std::size_t>(i)];
+            require(id < start.size(), "displacements: particle ", id,
+                    " was not there when the probe was made; make it anew when particles were added or removed");
+            const auto& from = start[id];
             Eigen::Matrix<double, dim, 1> u = x.row(i).transpose().template cast<double>() - from;
             for (int d = 0; d < dim; ++d)
                 if (const double length = period[static_cast<std::size_t>(d)]; length > 0)

@@ -83,9 +83,9 @@ private:
     TimeStepLimit whole_step_{0, "", ""}; ///< the last one that was not cut off by the end of the run
 };
 
-/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s. Also where it is
-/// first called, and where time has gone back, as to a checkpoint: what `what` has written there then belongs to the
-/// run that goes on.
+/// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s, also where a run
+/// goes on from a checkpoint and where time has gone back to one: at the steps at which it would have been called had
+/// nothing happened.
 template <class F>
 class Every {
 public:
@@ -97,8 +97,11 @@ public:
     /// Is called after every step.
     template <class Scene>
     void operator()(Scene& scene) {
-        if (scene.time() < seen_)
+        if (!(scene.time() >= seen_)) { // the first call, or time has gone back
             next_ = 0;
+            if (scene.steps() > 0)
+                resume(scene.time() - scene.last_step().seconds);
+        }
         seen_ = scene.time();
         if (scene.time() < next_ * interval_ * (1 - 1e-9))
             return;
@@ -115,7 +118,7 @@ private:
     double interval_;
     F what_;
     double next_ = 0;
-    double seen_ = -std::numeric_limits<double>::infinity(); ///< the time of the last call, s
+    double seen_ = std::numeric_limits<double>::infinity(); ///< the time of the last call, s
 };
 /// Makes an `Every`, for `run_until`: `every(0.02, Snapshots("out"))`.
 /// @throws Error for an interval that is not above 0 s

@@ -98,13 +98,14 @@ std::string checkpoint_head(const Scene& scene) {
         << (std::endian::native == std::endian::little ? "little" : "big") << " end first\ndimension "
         << Scene::dimension << '\n';
     scene.engine().for_each_phase([&]<class P, class S>(std::type_identity<P>, const S& s) {
-        out << "phase " << type_name<P>() << ": density " << s.material.density << " kg/m^3, spacing "
+        const std::string name_of_phase = name_among<P>(typename Scene::Phases{});
+        out << "phase " << name_of_phase << ": density " << s.material.density << " kg/m^3, spacing "
             << s.material.spacing << " m, support radius " << s.material.support_radius << " m, fields";
         const auto name = [&]<class... F>(TypeList<F...>) {
             ((out << ' ' << F::name << '(' << components(F::rank, Scene::dimension) << ')'), ...);
         };
         name(typename Scene::template FieldsOf<P>{});
-        out << "\nterms of " << type_name<P>() << ": " << list_name<typename P::terms>() << '\n';
+        out << "\nterms of " << name_of_phase << ": " << list_name<typename P::terms>() << '\n';
     });
     const auto name_couplings = [&]<class... C>(TypeList<C...>) {
         ((out << "terms of " << type_name<C>() << ": " << list_name<typename C::terms>() << '\n'), ...);

@@ -37,16 +37,16 @@ public:
     template <class Scene>
     void resume(const Scene& scene, std::size_t snapshots) {
         scene.engine().for_each_phase(
-            [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<P>()).resume(snapshots); });
+            [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<Scene, P>()).resume(snapshots); });
     }
 
 private:
     std::filesystem::path folder_;
     std::map<std::string, VtkSeries> series_;
 
-    template <class P>
+    template <class Scene, class P>
     static std::string file_name() {
-        std::string name = detail::type_name<P>();
+        std::string name = detail::name_among<P>(typename Scene::Phases{});
         for (char& c : name)
             c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         return name;
@@ -68,7 +68,7 @@ private:
         for (std::size_t d = 0; d < dim; ++d)
             if (origin[d] != 0)
                 file.constant(names[d], origin[d]);
-        series(file_name<P>()).write(seconds, std::move(file));
+        series(file_name<Composition, P>()).write(seconds, std::move(file));
     }
     template <class Composition, class P, int dim, class F, class State>
     static void add(VtkFile& file, const State& s) {

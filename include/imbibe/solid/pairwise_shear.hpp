@@ -98,9 +98,11 @@ struct PairwiseShearForce {
     using parts = Parts<Displacement, Prepare, Push>;
 
     static constexpr const char* limit_name = "elastic wave";
-    /// That of NeoHookean, s.
-    static double time_step_limit(const auto& material, const TimeStepInput& in) {
-        return detail::elastic_wave_limit(material, in);
+    /// That of NeoHookean, s, by the wave speed that a `factor` above that of the source makes.
+    static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
+        const double K = material.bulk_modulus(), shear = 4 * material.shear_modulus / 3;
+        const double more = std::max(parameters.factor / Parameters{}.factor, 1.0);
+        return detail::elastic_wave_limit(material, in) * std::sqrt((K + shear) / (K + more * shear));
     }
 };
 

@@ -127,9 +127,17 @@ private:
         }
         return true;
     }
+    template <class C, class P, class Term>
+    static constexpr bool check_never() {
+        if constexpr (requires { typename Term::never_in_couplings; })
+            if constexpr (has_term_on<P, typename Term::never_in_couplings>(typename C::terms{}))
+                return break_rule<rules::NeverInCoupling<typename Term::never_in_couplings, Term, P, C,
+                                                         remove_one_of_the_two_terms>>();
+        return true;
+    }
     template <class C, class P, class... Term>
     static constexpr bool check_all_beside(TypeList<Term...>) {
-        return (check_beside<C, P, Term>() && ...);
+        return (check_beside<C, P, Term>() && ...) && (check_never<C, P, Term>() && ...);
     }
     template <class C>
     static constexpr bool check_company() {

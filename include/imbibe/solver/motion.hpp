@@ -71,18 +71,22 @@ public:
         });
     }
 
-    /// to += by * velocity, a vector field of phase P; nothing for what is held.
+    /// to += by * (velocity + transport correction), a vector field of phase P: by how it moves, or is moved by a host.
     template <class P>
     void add_velocities(Real* to, double by) {
         const auto& s = this->template state<P>();
         const Real* v = s.field(velocity);
         for (std::size_t d = 0; d < dim; ++d)
             for (int i = 0; i < s.size(); ++i) {
-                Real free = 1;
-                if constexpr (contains<Mobility, FieldsOf<P>>)
-                    free = s.field(mobility)[i];
                 const std::size_t k = d * s.stride() + static_cast<std::size_t>(i);
-                to[k] += static_cast<Real>(by) * free * v[k];
+                Real speed = v[k];
+                if constexpr (contains<TransportCorrection, FieldsOf<P>>) {
+                    Real free = 1;
+                    if constexpr (contains<Mobility, FieldsOf<P>>)
+                        free = s.field(mobility)[i];
+                    speed += free * s.field(transport_correction)[k];
+                }
+                to[k] += static_cast<Real>(by) * speed;
             }
     }
     /// Keeps a copy of the sums on top of which the pass `What` acts: its columns `kept`.

@@ -172,6 +172,16 @@ public:
                                                          reach_of(this->template support<A, B>()), this->periodic);
     }
 
+    /// The greatest speed in phase P, m/s: of what moves by itself as it was after the last step, of walls, which a host
+    /// moves, as it is now.
+    template <class P>
+    double speed_now() const {
+        if constexpr (!P::moves && contains<Velocity, typename Base::template FieldsOf<P>>)
+            return greatest_speed(this->template state<P>());
+        else
+            return this->template motion<P>().speed;
+    }
+
     /// The pairs of a link; as they are now, if no particle was added or removed since the last search.
     template <class L>
     PairDistances<dim, Real, Base::width> pairs_of(const L& link) const {

@@ -6,6 +6,7 @@
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/search/neighbours.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -60,6 +61,23 @@ public:
             }
         });
         return {nearest, std::sqrt(least2)};
+    }
+    /// How far the nearest other particle is, for half of the targets at most, over a sample, m: the median, of those
+    /// that have one; 0 where nobody has. For a phase among itself.
+    double median_nearest() const {
+        std::vector<double> nearest;
+        const int stride = std::max(1, targets_.n / 1000);
+        for (int i = 0; i < targets_.n && !runs_.is_empty(); i += stride) {
+            double least2 = std::numeric_limits<double>::infinity();
+            for_each(i, [&](int, double distance2) { least2 = distance2 > 0 ? std::min(least2, distance2) : least2; });
+            if (std::isfinite(least2))
+                nearest.push_back(std::sqrt(least2));
+        }
+        if (nearest.empty())
+            return 0;
+        const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+        std::nth_element(nearest.begin(), middle, nearest.end());
+        return *middle;
     }
     /// The mean number of neighbours nearer than `support`, m, the particle itself not counted, over a sample.
     double mean_number(double support) const {

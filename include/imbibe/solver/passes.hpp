@@ -21,6 +21,27 @@ constexpr Bits all_but(const Bits& some, const std::array<Row, n>& rows) {
     return with_what_they_read(rows, chosen);
 }
 
+/// The chosen ones of `rows` with all that writes what they read, and with all that adds to a sum that they add to, but
+/// for the columns `partial`: of `all`, which are the same rows, none of them left empty.
+template <std::size_t n>
+constexpr Bits with_whole_sums(std::array<Row, n> rows, const std::array<Row, n>& all, Bits chosen,
+                               const Bits& partial) {
+    for (Bits before; before != chosen;) {
+        chosen = with_what_they_read(rows, chosen);
+        before = chosen;
+        Bits summed;
+        for (std::size_t k = 0; k < n; ++k)
+            if (chosen.test(static_cast<int>(k)))
+                summed = summed | (rows[k].adds - partial);
+        for (std::size_t k = 0; k < n; ++k)
+            if ((all[k].adds & summed).any()) {
+                rows[k] = all[k];
+                chosen.set(static_cast<int>(k));
+            }
+    }
+    return chosen;
+}
+
 /// The rows of a step that advance states, with all that their rates are made of; and all others, with what these need.
 template <class Scene>
 class RowsForStates {
@@ -182,7 +203,8 @@ class RowsOfTerms {
     static constexpr Bits columns_of(TypeList<P...>) {
         return (Bits{} | ... | column_of<F, P>());
     }
-    // Of all others: what moves particles or advances their states, and all that this is made of.
+    // Of all others: what moves particles or advances their states, and all that this is made of. A sum other than of
+    // accelerations is whole with them, so it takes along rows of the list that add to it.
     static constexpr Bits find_others() {
         constexpr auto rows = rows_of_others(typename Scene::StepRows{});
         constexpr Bits motion = columns_of<Rate<Velocity>>(typename Scene::Phases{}) |
@@ -191,7 +213,8 @@ class RowsOfTerms {
         for (std::size_t k = 0; k < rows.size(); ++k)
             if (rows[k].advances || ((rows[k].adds | rows[k].sets) & motion).any())
                 chosen.set(static_cast<int>(k));
-        return with_what_they_read(rows, chosen);
+        return with_whole_sums(rows, Scene::rows(typename Scene::StepRows{}), chosen,
+                               columns_of<Rate<Velocity>>(typename Scene::Phases{}));
     }
     static constexpr Bits others = find_others();
     static constexpr Bits listed = all_but(others, Scene::rows(typename Scene::StepRows{}));
@@ -218,14 +241,12 @@ struct TermsOf {
     static constexpr bool gravity = true;
 };
 
-/// All other terms, which act on top of what those in the list have put into accelerations and other sums; states
-/// advance.
+/// All other terms, which act on top of what those in the list have put into accelerations; states advance.
 template <class Scene, class List>
 struct AllButTermsOf {
     using Rows = typename RowsOfTerms<Scene, List>::Others;
     static constexpr Plan plan = Scene::plan_of(Rows{}, typename RowsOfTerms<Scene, List>::Listed{});
-    static constexpr Bits kept = RowsOfTerms<Scene, List>::accelerations() |
-                                 (Scene::added_by(Rows{}) & Scene::added_by(typename RowsOfTerms<Scene, List>::Listed{}));
+    static constexpr Bits kept = RowsOfTerms<Scene, List>::accelerations();
     static constexpr Bits added = Scene::added_by(Rows{}) - kept;
     static constexpr bool gravity = false;
 };

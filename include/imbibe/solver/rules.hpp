@@ -66,6 +66,11 @@ template <class Missing, class Term, class Phase, class Coupling, class Advice>
 struct MissingInCoupling {
     static_assert(never<Missing>, "imbibe: a term of this phase needs another in this coupling");
 };
+/// Rule: a term of a phase that another spoils in a coupling (`never_in_couplings`) is not beside it.
+template <class Found, class Term, class Phase, class Coupling, class Advice>
+struct NeverInCoupling {
+    static_assert(never<Found>, "imbibe: a term of this phase is wrong beside this one in a coupling");
+};
 /// Rule: a term that only one side of a coupling can have (`one_sided`) says which.
 template <class Term, class Where, class Advice>
 struct NotInto {

@@ -47,6 +47,7 @@ struct Settings {
 
     /// Throws Error for a number that is not finite or out of range.
     void check() const {
+        require(threads >= 0, "threads = ", threads, "; it must be at least 1, or 0 for all of the machine");
         for (double g : gravity)
             require(std::isfinite(g), "gravity has a component ", g, " m/s^2; all must be finite");
         require(std::isfinite(support_radius) && support_radius > 0, "support_radius = ", support_radius,

@@ -58,7 +58,7 @@ public:
         with.check();
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
-        engine_.search_interval = with.search_interval;
+        engine_.search_interval = std::min(with.search_interval, 1 << 30); // it is added to
         engine_.search_skin = with.search_interval > 1 || subcycles ? with.search_skin : 0;
         engine_.threads = with.threads > 0 ? with.threads : available_threads();
         for (std::size_t d = 0; d < dim; ++d)
@@ -91,6 +91,8 @@ public:
                         s.column(State<P>::template offset<Velocity> + d)[i] = Real(0);
                     ++number;
                 }
+            if (number == 0)
+                note(text("hold: no particle of ", detail::type_name<P>(), " is where those are that are to be held"));
         } else {
             detail::break_rule<rules::HeldWithoutClamped<P, list_the_term_Clamped_in_the_phase>>();
         }
@@ -222,12 +224,13 @@ public:
         }
         return least;
     }
-    /// From now on all steps are `share` (above 0, at most 1) of what they would have been: the CFL number and a fixed
-    /// step are multiplied by it.
+    /// From now on all steps are `share` (above 0, at most 1) of what they would have been: the CFL number, a fixed step
+    /// and the longest step are multiplied by it.
     void shorten_steps(double share) {
         require(share > 0 && share <= 1, "shorten_steps(", share, "); the share must be above 0 and at most 1");
         settings_.cfl *= share;
         settings_.time_step *= share;
+        settings_.max_time_step *= share;
     }
     /// One step of the length the limits allow. Returns the length, s.
     double step() {
@@ -402,8 +405,10 @@ private:
     }
     template <class P>
     static void check_phase(const State<P>& s) {
-        if (s.size() > 0)
+        if (s.size() > 0) {
+            s.material.check(detail::type_name<P>());
             detail::check_terms<P>(s.material, typename P::terms{});
+        }
     }
     template <class... C>
     void check_couplings([[maybe_unused]] TypeList<C...> all) const {
@@ -452,6 +457,10 @@ private:
             (check(phase, std::type_identity<P>{}), ...);
         };
         (check_phase(std::type_identity<P>{}), ...);
+        engine_.for_each_link([&]<class L>(const L& link) {
+            if constexpr (std::is_same_v<typename L::A, typename L::B>)
+                note(detail::warning_of_other_spacing(link, engine_));
+        });
         (note(detail::warning_of_other_support<C>(engine_)), ...);
     }
     void note(const std::string& sentence) {
@@ -509,6 +518,22 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
     require(s.size() == 0 || s.material.sound_speed == material.sound_speed, name,
             ": particles were added with a sound speed of ", s.material.sound_speed, " m/s before and ",
             material.sound_speed, " m/s now; use a second phase for a second material");
+    require(s.size() == 0 || s.material.support_radius == support, name, ": particles were added with a support radius of ",
+            s.material.support_radius, " m before and ", support, " m now; use a second phase for a second support");
+    if constexpr (requires { material.viscosity; })
+        require(s.size() == 0 || s.material.viscosity == material.viscosity, name,
+                ": particles were added with a viscosity of ", s.material.viscosity, " Pa s before and ",
+                material.viscosity, " Pa s now; use a second phase for a second material");
+    if constexpr (requires { material.shear_modulus; })
+        require(s.size() == 0 || s.material.shear_modulus == material.shear_modulus, name,
+                ": particles were added with a shear modulus of ", s.material.shear_modulus, " Pa before and ",
+                material.shear_modulus, " Pa now; use a second phase for a second material");
+    require(static_cast<double>(s.size()) + static_cast<double>(points.size()) < 0x1p31, name, ": ", points.size(),
+            " points for a phase of ", s.size(), " particles; at most 2^31 - 1 are possible");
+    if constexpr (std::is_same_v<Real, float>) // products of two volumes are formed
+        require(std::pow(spacing, 2 * dim) > 1e-37 && std::pow(spacing, 2 * dim) < 1e26, name, ": spacing = ", spacing,
+                " m; in float it must be between ", std::pow(1e-37, 0.5 / dim), " and ", std::pow(1e26, 0.5 / dim),
+                " m. Take double");
     const std::vector<Point> places = stored_places(points);
     require_distinct_in(s, places, spacing, name);
     if (s.size() == 0) {
@@ -545,12 +570,12 @@ std::vector<TimeStepLimit> Solver<dim, Real_, Integrator, Items...>::time_step_l
 
 template <int dim, class Real_, class Integrator, class... Items>
 void Solver<dim, Real_, Integrator, Items...>::prepare() {
+    check_phases(Phases{}); // a program may have changed them since
+    check_couplings(Couplings{});
     if (prepared_ && steps_ > 0)
         return;
     if (!prepared_) {
         require(particles() > 0, "the scene has no particles; add some before the first step");
-        check_phases(Phases{});
-        check_couplings(Couplings{});
         engine_.find_reference_neighbours();
     }
     engine_.search_neighbours();

@@ -65,16 +65,17 @@ public:
     void add_coupling() {
         add_terms_of_coupling<C>(typename C::terms{});
     }
-    /// How long a particle of phase P takes for its spacing, at its present speed or by its present acceleration.
+    /// How long a particle of phase P takes for its spacing, at its present speed or by its present acceleration; and
+    /// what its terms allow of steps that are as long as that (`advection_limit`).
     template <class P>
     void add_advection() {
-        if constexpr (P::moves) {
-            const auto& motion = engine_.template motion<P>();
-            const double spacing = material<P>().spacing;
-            const double speed = std::max(motion.speed, std::sqrt(spacing * motion.acceleration));
-            if (engine_.template state<P>().size() > 0 && speed > 0)
-                add(spacing / speed, "advection", type_name<P>());
-        }
+        if (engine_.template state<P>().size() == 0)
+            return;
+        const TimeStepInput in = input_of<P>();
+        const double speed = std::max(in.max_speed, P::moves ? std::sqrt(in.spacing * in.max_acceleration) : 0.0);
+        if (speed > 0)
+            add(in.spacing / speed, "advection", type_name<P>());
+        add_advection_of_terms<P>(in, typename P::terms{});
     }
 
 private:
@@ -89,7 +90,7 @@ private:
         const auto& motion = engine_.template motion<P>();
         return {.support_radius = material<P>().support_radius,
                 .spacing = material<P>().spacing,
-                .max_speed = motion.speed,
+                .max_speed = engine_.template speed_now<P>(),
                 .max_acceleration = motion.acceleration,
                 .dimension = Engine::dimension};
     }
@@ -101,6 +102,18 @@ private:
         (add_term_of_phase<Term, P>(in), ...);
         if (P::moves && Which::template chosen<P, Acceleration> && in.max_acceleration > 0)
             add(std::sqrt(in.spacing / in.max_acceleration), "acceleration", type_name<P>());
+    }
+    template <class P, class... Term>
+    void add_advection_of_terms(const TimeStepInput& in, TypeList<Term...>) {
+        const auto one = [&]<class T>(std::type_identity<T>) {
+            if constexpr (requires { typename T::Parameters; })
+                if constexpr (const auto& all = material<P>(); requires {
+                                  T::advection_limit(all, in, all.coefficients.template get<typename T::Parameters>());
+                              })
+                    add(T::advection_limit(all, in, all.coefficients.template get<typename T::Parameters>()),
+                        T::advection_limit_name, type_name<P>());
+        };
+        (one(std::type_identity<Term>{}), ...);
     }
     template <class Term, class P>
     void add_term_of_phase(const TimeStepInput& in) {

@@ -7,8 +7,8 @@ namespace imbibe {
 
 /// SymplecticEuler in short steps, as long as sound and what else is stiff allow, within a long one, as long as it
 /// takes a particle to move by a part of its spacing. In the long step neighbours are found and the terms named here
-/// are evaluated, with the states as they are; what they add to accelerations and to sums that other terms add to as
-/// well, and transport corrections that they set, are the same in all of its short steps:
+/// are evaluated, with the states as they are; what they add to accelerations, and transport corrections that they set,
+/// are the same in all of its short steps:
 ///   a_slow = a_slow(x, rho, v);  then, n times,
 ///   rho' = rho + dt/n D(x, v),  v' = v + dt/n (a(x, rho') + a_slow),  x' = x + dt/n v'.
 ///
@@ -20,7 +20,7 @@ namespace imbibe {
 ///
 /// For terms that change as slowly as the flow and cost sums of their own: viscosities, ParticleShifting, corrected
 /// gradients (`CurrentCorrection`). A function of one particle that fast terms ask for too (Volume, an equation of
-/// state) is evaluated with them. In a coupling name its terms as well: NoSlipViscosity, ShiftingNeighbours.
+/// state) is evaluated with them, and so is what adds to a sum that they ask for. In a coupling name its terms as well: NoSlipViscosity, ShiftingNeighbours.
 ///
 /// Not for terms that change densities or stresses (SlowTermOfState, a compile error), nor for pressures and
 /// repulsions, nor for a viscosity so high that its own limit is shorter than the sound's: then there is one short step
