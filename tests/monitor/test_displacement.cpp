@@ -37,6 +37,15 @@ TEST_CASE("A probe measures from where particles were, whole phases and parts", 
                         imbibe_test::contains("no particle started"));
     scene.remove_if(dust, [](const auto& x) { return x[0] < 0.1; });
     REQUIRE_THROWS_WITH(probe.mean(scene[dust]), imbibe_test::contains("measured from 100 particles"));
+    REQUIRE_THROWS_WITH(sph::DisplacementProbe<2>(scene[dust]), imbibe_test::contains("particles were removed"));
+
+    Scene other({.support_radius = 0.2, .time_step = 0.1});
+    const Dust grains{{.density = 1, .sound_speed = 1}};
+    other.add(grains, {{0, 0}, {1, 0}, {2, 0}}, 0.1);
+    const sph::DisplacementProbe<2> of_three(other[dust]);
+    other.remove_if(dust, [](const auto& x) { return x[0] == 1; });
+    other.add(grains, {{3, 0}}, 0.1);
+    REQUIRE_THROWS_WITH(of_three.mean(other[dust]), imbibe_test::contains("particle 3 was not there"));
 }
 
 TEST_CASE("A probe that knows the period measures across a periodic side", "[displacement]") {

@@ -45,6 +45,9 @@ struct LooseContact
     : sph::Coupling<Water, Block, sph::Into<Block, sph::PressureExtrapolation<K>>,
                     sph::VolumePressure<K, sph::Tension::none>, sph::Into<Water, sph::VolumeContinuity<K>>> {};
 
+template <int>
+struct Numbered : sph::Fluid<> {};
+
 template <class Real, class Integrator = sph::SymplecticEuler>
 Scene<Real, Integrator> make(double density = 1000, int search_interval = 1, double time_step = 0) {
     const double dx = 0.05;
@@ -346,6 +349,21 @@ TEST_CASE("A restarted run goes on with the snapshots and the table of the run b
     auto third = make<float>(1000, 1, 1e-3); // and from the start
     third.run_until(0.005, sph::every(0.005, sph::Snapshots(folder)));
     CHECK(listed_times(folder / "water.pvd").size() == 2);
+}
+
+TEST_CASE("Phases whose names differ in template arguments only have snapshots and lines of their own", "[checkpoint]") {
+    const auto folder = output_test::fresh("alike");
+    sph::Solver<2, double, sph::SymplecticEuler, Numbered<0>, Numbered<1>> scene({.support_radius = 0.1});
+    scene.add(Numbered<0>{{.density = 1, .sound_speed = 1}}, {{0, 0}}, 0.05);
+    scene.add(Numbered<1>{{.density = 1, .sound_speed = 1}}, {{1, 0}, {1, 1}}, 0.05);
+    scene.run_until(1e-3, sph::Snapshots(folder));
+    CHECK(std::filesystem::exists(folder / "numbered_1.pvd"));
+    CHECK(std::filesystem::exists(folder / "numbered_2.pvd"));
+    sph::write_checkpoint(scene, folder / "checkpoint");
+    sph::Solver<2, double, sph::SymplecticEuler, Numbered<1>, Numbered<0>> other({.support_radius = 0.1});
+    other.add(Numbered<1>{{.density = 1, .sound_speed = 1}}, {{0, 0}}, 0.05);
+    other.add(Numbered<0>{{.density = 2, .sound_speed = 1}}, {{1, 0}, {1, 1}}, 0.05);
+    CHECK_THROWS_WITH(sph::read_checkpoint(other, folder / "checkpoint"), imbibe_test::contains("Numbered_2"));
 }
 
 TEST_CASE("Snapshots are of one story where a run goes back, and where two runs follow each other", "[checkpoint]") {

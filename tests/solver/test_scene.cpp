@@ -461,6 +461,26 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
         scene.add(drop, ball(0.1, 0.15), 0.1);
         CHECK(scene.warnings().size() == 1); // said once
     }
+    SECTION("another spacing than that of the points, which makes another mass") {
+        for (const double wrong : {0.05, 0.25}) {
+            DropScene scene({.support_radius = 2.6 * std::max(wrong, 0.1)});
+            scene.add(drop, ball(0.1, 0.35), wrong);
+            scene.prepare();
+            REQUIRE(scene.warnings().size() == 1);
+            CHECK_THAT(scene.warnings()[0], imbibe_test::contains(sph::text("a spacing of ", wrong, " m")) &&
+                                                imbibe_test::contains("density * spacing^dim"));
+        }
+    }
+    SECTION("two fluids that do not see each other") {
+        struct Oil : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
+        sph::Solver<3, double, sph::SymplecticEuler, Drop, Oil> scene({.support_radius = 0.25});
+        scene.add(drop, {{0, 0, 0}}, 0.1);
+        scene.add(Oil{{.density = 900, .sound_speed = 10}}, {{0, 0, 0.1}}, 0.1);
+        scene.prepare();
+        REQUIRE(scene.warnings().size() == 1); // once for both
+        CHECK_THAT(scene.warnings()[0], imbibe_test::contains("Oil is within reach of Drop") &&
+                                            imbibe_test::contains("Coupling<Drop, Oil, ...>"));
+    }
     SECTION("enough") {
         DropScene scene({.support_radius = 0.131});
         scene.add(drop, ball(0.1, 0.35), 0.1);
@@ -484,6 +504,50 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
         REQUIRE(scene.warnings().size() == 1);
         CHECK(scene.warnings()[0] == sentence);
     }
+}
+
+TEST_CASE("What is added to a phase is of its material", "[scene]") {
+    DropScene scene({.support_radius = 0.26});
+    scene.add(drop, {{0, 0, 0}}, 0.1);
+    Drop other = drop;
+    other.viscosity = 2;
+    CHECK_THROWS_WITH(scene.add(other, {{1, 0, 0}}, 0.1), imbibe_test::contains("a viscosity of 0 Pa s before and 2"));
+    other = drop;
+    other.support_radius = 0.3;
+    CHECK_THROWS_WITH(scene.add(other, {{1, 0, 0}}, 0.1), imbibe_test::contains("support radius of 0.26 m before"));
+    CHECK(scene.particles() == 1);
+    CHECK_NOTHROW(scene.add(drop, {{1, 0, 0}}, 0.1));
+}
+
+TEST_CASE("Spacings whose volumes a float cannot multiply are refused", "[scene]") {
+    using Small = sph::Solver<3, float, sph::SymplecticEuler, Drop>;
+    Small scene({.support_radius = 1});
+    CHECK_THROWS_WITH(scene.add(drop, {{0, 0, 0}}, 3e-7), imbibe_test::contains("in float it must be between"));
+    CHECK_THROWS_WITH(scene.add(drop, {{0, 0, 0}}, 1e5), imbibe_test::contains("in float it must be between"));
+    CHECK_NOTHROW(scene.add(drop, {{0, 0, 0}}, 1e-6));
+}
+
+TEST_CASE("Numbers that a program changes between steps are looked at again", "[scene]") {
+    DropScene scene({.support_radius = 0.26});
+    const auto handle = scene.add(drop, ball(0.1, 0.2), 0.1);
+    scene.step();
+    scene[handle].material().set(sph::MonaghanViscosityParameters{.alpha = -1});
+    CHECK_THROWS_WITH(scene.step(), imbibe_test::contains("alpha = -1"));
+    scene[handle].material().set(sph::MonaghanViscosityParameters{});
+    scene[handle].material().density = -5;
+    CHECK_THROWS_WITH(scene.run_until(1), imbibe_test::contains("density = -5 kg/m^3"));
+    scene[handle].material().density = 1000;
+    CHECK_NOTHROW(scene.step());
+}
+
+TEST_CASE("Shortened steps are shorter whatever limits them", "[scene]") {
+    DropScene scene({.support_radius = 0.26, .max_time_step = 1e-6});
+    scene.add(drop, ball(0.1, 0.2), 0.1);
+    scene.prepare();
+    REQUIRE(scene.next_step().reason == "max_time_step");
+    scene.shorten_steps(0.5);
+    CHECK(scene.next_step().seconds == 0.5e-6);
+    CHECK_THROWS_WITH(DropScene({.support_radius = 0.26, .threads = -3}), imbibe_test::contains("threads = -3"));
 }
 
 } // namespace scene_test

@@ -129,6 +129,9 @@ TEST_CASE("the limits of corrected gradients are those without, where gradients 
         CHECK(CorrectedPressure<K>::time_step_limit(water_here(), in) == sound);
         CHECK(CorrectedViscosity<K>::time_step_limit(water_here(), in) == viscous);
     }
+    in.other_spacing = in.spacing; // in a coupling
+    CHECK(CorrectedPressure<K>::time_step_limit(water_here(), water_here(), in) ==
+          interface_time_step(water_here(), water_here(), in));
     in.greatest = 6;
     CHECK(CorrectedPressure<K>::time_step_limit(water_here(), in) == Approx(sound / 2));
     in.greatest = 32.0 / 3;

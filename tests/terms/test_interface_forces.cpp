@@ -217,6 +217,17 @@ TEST_CASE("ModifiedRepulsion: limits on the step and on its coefficients") {
     still.max_speed = still.other_max_speed = 0;
     CHECK(std::isinf(limit(still)));
     CHECK(std::isinf(ModifiedRepulsion::time_step_limit(liquid(), soft(), in, {.speed = 0})));
+    // A range beyond the support radius is one of the support radius.
+    near.nearest = 0;
+    const double whole = near.support_radius / (0.5 * (near.spacing + near.other_spacing));
+    CHECK(ModifiedRepulsion::time_step_limit(liquid(), soft(), near, {.speed = 2, .range = 10 * whole}) ==
+          ModifiedRepulsion::time_step_limit(liquid(), soft(), near, {.speed = 2, .range = whole}));
+    // Within a phase it takes pairs of any depth, and is shorter for a wide range, in which a particle has many.
+    TimeStepInput alone = in;
+    alone.max_speed = 0;
+    const double reach = 0.8 * alone.spacing;
+    CHECK(ModifiedRepulsion::time_step_limit(liquid(), alone, {.speed = 2, .range = 0.8}) ==
+          Approx(reach / std::sqrt(3.0)));
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.speed = -1}.check("Contact")), Error);
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.range = -1}.check("Contact")), Error);
     CHECK_THROWS_WITH((ModifiedRepulsionParameters{.restitution = 1.5}.check("Contact")),
