@@ -118,6 +118,7 @@ public:
     /// The coefficients of a coupling, to read or to change: `scene.coupling<Contact>().set(...)`.
     template <class C>
     C& coupling() {
+        may_have_changed_ = true;
         return *find_coupling<C>(engine_);
     }
     /// The same, to read.
@@ -148,6 +149,7 @@ public:
     /// A phase of the scene: `scene[water][velocity]` is a view of the velocities of its particles.
     template <class P>
     PhaseView<P, State<P>> operator[](PhaseHandle<P>) {
+        may_have_changed_ = true;
         return {*find_phase<P>(engine_)};
     }
     /// The same, to read.
@@ -254,6 +256,7 @@ public:
         prepare();
         (observers(*this), ...);
         while (time_ < end * (1 - 1e-12)) {
+            check_numbers(); // observers may change them
             TimeStepLimit chosen = next_step();
             const double left = end - time_;
             if (left < chosen.seconds * (1 - 1e-6))
@@ -309,6 +312,7 @@ private:
     double time_ = 0;
     long long steps_ = 0;
     bool prepared_ = false;
+    bool may_have_changed_ = true; // materials and coefficients, since they were checked
     int substeps_ = 1;
     TimeStepLimit last_step_{0, "none yet", "start"};
     std::vector<std::string> warnings_;
@@ -398,6 +402,14 @@ private:
         }
     }
 
+    // Materials and coefficients, if somebody has had his hands on them.
+    void check_numbers() {
+        if (!may_have_changed_)
+            return;
+        check_phases(Phases{});
+        check_couplings(Couplings{});
+        may_have_changed_ = false;
+    }
     // A term may say what its coefficients, or the material it is used with, must fulfil.
     template <class... P>
     void check_phases(TypeList<P...>) const {
@@ -560,6 +572,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
             s.field(mobility)[i] = Real(1);
     }
     prepared_ = false;
+    may_have_changed_ = true;
     return {};
 }
 
@@ -570,8 +583,7 @@ std::vector<TimeStepLimit> Solver<dim, Real_, Integrator, Items...>::time_step_l
 
 template <int dim, class Real_, class Integrator, class... Items>
 void Solver<dim, Real_, Integrator, Items...>::prepare() {
-    check_phases(Phases{}); // a program may have changed them since
-    check_couplings(Couplings{});
+    check_numbers();
     if (prepared_ && steps_ > 0)
         return;
     if (!prepared_) {
