@@ -106,7 +106,7 @@ private:
     template <class P, class... Term>
     void add_advection_of_terms(const TimeStepInput& in, TypeList<Term...>) {
         [[maybe_unused]] const auto one = [&]<class T>(std::type_identity<T>) {
-            if constexpr (requires { typename T::Parameters; })
+            if constexpr (requires { typename T::Parameters; } && Which::template chosen<P, T>)
                 if constexpr (const auto& all = material<P>(); requires {
                                   T::advection_limit(all, in, all.coefficients.template get<typename T::Parameters>());
                               })
