@@ -511,10 +511,10 @@ TEST_CASE("What is added to a phase is of its material", "[scene]") {
     scene.add(drop, {{0, 0, 0}}, 0.1);
     Drop other = drop;
     other.viscosity = 2;
-    CHECK_THROWS_WITH(scene.add(other, {{1, 0, 0}}, 0.1), imbibe_test::contains("a viscosity of 0 Pa s before and 2"));
+    CHECK_THROWS_WITH(scene.add(other, {{1, 0, 0}}, 0.1), imbibe_test::contains("viscosity 0 Pa s before and 2 Pa s"));
     other = drop;
     other.support_radius = 0.3;
-    CHECK_THROWS_WITH(scene.add(other, {{1, 0, 0}}, 0.1), imbibe_test::contains("support radius of 0.26 m before"));
+    CHECK_THROWS_WITH(scene.add(other, {{1, 0, 0}}, 0.1), imbibe_test::contains("support radius 0.26 m before"));
     CHECK(scene.particles() == 1);
     CHECK_NOTHROW(scene.add(drop, {{1, 0, 0}}, 0.1));
 }

@@ -94,14 +94,14 @@ public:
     void keep_sums() {
         for_each_kept<What>([&](auto& copy, const auto& s, int column, std::size_t at) {
             copy.resize(std::max(copy.size(), (at + 1) * s.stride()));
-            std::copy_n(s.column(column), s.size(), copy.data() + at * s.stride());
+            copy_column(s.column(column), copy.data() + at * s.stride(), s.size());
         });
     }
     /// These sums as they were kept. The order of the particles must not have changed since.
     template <class What>
     void restore_sums() {
         for_each_kept<What>([&](const auto& copy, auto& s, int column, std::size_t at) {
-            std::copy_n(copy.data() + at * s.stride(), s.size(), s.column(column));
+            copy_column(copy.data() + at * s.stride(), s.column(column), s.size());
         });
     }
 
@@ -137,6 +137,10 @@ private:
     };
     typename AllKept<typename Scene::Phases>::type kept;
 
+    [[gnu::noinline]] void copy_column(const Real* from, Real* to, int n) {
+        const auto block = [&](int begin, int end) { std::copy_n(from + begin, end - begin, to + begin); };
+        loop_blocks(n, 4096, this->threads, Callable<void(int, int)>(block));
+    }
     // Calls f(copy, state, column, k) for every column that the pass `What` keeps, the k-th of its phase.
     template <class What, class F>
     void for_each_kept(const F& f) {

@@ -312,7 +312,7 @@ private:
     double time_ = 0;
     long long steps_ = 0;
     bool prepared_ = false;
-    bool may_have_changed_ = true; // materials and coefficients, since they were checked
+    bool may_have_changed_ = true; // materials and coefficients, since they were checked: somebody had a view to write
     int substeps_ = 1;
     TimeStepLimit last_step_{0, "none yet", "start"};
     std::vector<std::string> warnings_;
@@ -402,7 +402,7 @@ private:
         }
     }
 
-    // Materials and coefficients, if somebody has had his hands on them.
+    // Materials and coefficients, where a program may have changed them.
     void check_numbers() {
         if (!may_have_changed_)
             return;
@@ -522,24 +522,18 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
             require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
                     "; all coordinates must be finite numbers, m");
     auto& s = *find_phase<P>(engine_);
-    require(s.size() == 0 || s.material.spacing == spacing, name, ": particles were added with spacing ",
-            s.material.spacing, " m before and ", spacing, " m now; use a second phase for a second spacing");
-    require(s.size() == 0 || s.material.density == material.density, name, ": particles were added with density ",
-            s.material.density, " kg/m^3 before and ", material.density,
-            " kg/m^3 now; use a second phase for a second material");
-    require(s.size() == 0 || s.material.sound_speed == material.sound_speed, name,
-            ": particles were added with a sound speed of ", s.material.sound_speed, " m/s before and ",
-            material.sound_speed, " m/s now; use a second phase for a second material");
-    require(s.size() == 0 || s.material.support_radius == support, name, ": particles were added with a support radius of ",
-            s.material.support_radius, " m before and ", support, " m now; use a second phase for a second support");
+    const auto require_same = [&](double before, double now, const char* what, const char* unit) {
+        require(s.size() == 0 || before == now, name, ": particles were added with ", what, " ", before, " ", unit,
+                " before and ", now, " ", unit, " now; use a second phase for a second material or spacing");
+    };
+    require_same(s.material.spacing, spacing, "spacing", "m");
+    require_same(s.material.density, material.density, "density", "kg/m^3");
+    require_same(s.material.sound_speed, material.sound_speed, "sound speed", "m/s");
+    require_same(s.material.support_radius, support, "support radius", "m");
     if constexpr (requires { material.viscosity; })
-        require(s.size() == 0 || s.material.viscosity == material.viscosity, name,
-                ": particles were added with a viscosity of ", s.material.viscosity, " Pa s before and ",
-                material.viscosity, " Pa s now; use a second phase for a second material");
+        require_same(s.material.viscosity, material.viscosity, "viscosity", "Pa s");
     if constexpr (requires { material.shear_modulus; })
-        require(s.size() == 0 || s.material.shear_modulus == material.shear_modulus, name,
-                ": particles were added with a shear modulus of ", s.material.shear_modulus, " Pa before and ",
-                material.shear_modulus, " Pa now; use a second phase for a second material");
+        require_same(s.material.shear_modulus, material.shear_modulus, "shear modulus", "Pa");
     require(static_cast<double>(s.size()) + static_cast<double>(points.size()) < 0x1p31, name, ": ", points.size(),
             " points for a phase of ", s.size(), " particles; at most 2^31 - 1 are possible");
     if constexpr (std::is_same_v<Real, float>) // products of two volumes are formed

@@ -20,7 +20,8 @@ namespace imbibe {
 ///
 /// For terms that change as slowly as the flow and cost sums of their own: viscosities, ParticleShifting, corrected
 /// gradients (`CurrentCorrection`). A function of one particle that fast terms ask for too (Volume, an equation of
-/// state) is evaluated with them, and so is what adds to a sum that they ask for. In a coupling name its terms as well: NoSlipViscosity, ShiftingNeighbours.
+/// state) is evaluated with them, and so is what adds to a sum that they ask for. In a coupling name its terms as well:
+/// NoSlipViscosity, ShiftingNeighbours.
 ///
 /// Not for terms that change densities or stresses (SlowTermOfState, a compile error), nor for pressures and
 /// repulsions, nor for a viscosity so high that its own limit is shorter than the sound's: then there is one short step
