@@ -196,6 +196,13 @@ TEST_CASE("every() calls at the same steps where a run goes on and where time ha
             observer(clock);
         CHECK(times == std::vector<double>{0, 0.6, 1.1, 0.6});
     }
+    for (const Clock& at : run) { // told that all is done up to there
+        auto told = sph::every(0.5, note);
+        times.clear();
+        told.resume(at.now);
+        told(at);
+        CHECK(times.empty());
+    }
     for (std::size_t from = 1; from < run.size(); ++from) { // a restart after any step
         auto again = sph::every(0.5, note);
         times.clear();

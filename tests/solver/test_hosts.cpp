@@ -242,7 +242,7 @@ TEST_CASE("What is added is checked across periodic sides and against what is th
     scene.add(water, {{0, 0.5}, {0.5, 0.5}}, dx);
     Water faster = water;
     faster.sound_speed = 20;
-    REQUIRE_THROWS_WITH(scene.add(faster, {{0.7, 0.5}}, dx), imbibe_test::contains("sound speed of 10 m/s before"));
+    REQUIRE_THROWS_WITH(scene.add(faster, {{0.7, 0.5}}, dx), imbibe_test::contains("sound speed 10 m/s before"));
     Scene narrow(s); // 0.7 m fit into the period, with their skin they do not
     REQUIRE_THROWS_WITH(narrow.add(Water{{.density = 1000, .sound_speed = 10, .support_radius = 0.7}}, {{0, 0}}, dx),
                         imbibe_test::contains("1.05 m, is longer than a period of 1 m"));

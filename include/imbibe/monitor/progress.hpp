@@ -100,21 +100,26 @@ public:
         if (!(scene.time() >= seen_)) { // the first call, or time has gone back
             next_ = 0;
             if (scene.steps() > 0)
-                resume(scene.time() - scene.last_step().seconds);
+                take_for_done(scene.time() - scene.last_step().seconds);
         }
         seen_ = scene.time();
         if (scene.time() < next_ * interval_ * (1 - 1e-9))
             return;
         what_(scene);
-        resume(scene.time());
+        take_for_done(scene.time());
     }
-    /// Takes everything up to `time`, s, for done, as after a restart.
+    /// Takes everything up to `time`, s, for done, the step there included, whether it was or not.
     void resume(double time) {
+        take_for_done(time);
+        seen_ = time;
+    }
+
+private:
+    void take_for_done(double time) {
         while (next_ * interval_ <= time * (1 + 1e-9))
             ++next_;
     }
 
-private:
     double interval_;
     F what_;
     double next_ = 0;
