@@ -225,9 +225,9 @@ TEST_CASE("ModifiedRepulsion: limits on the step and on its coefficients") {
     // Within a phase it takes pairs of any depth, and is shorter for a wide range, in which a particle has many.
     TimeStepInput alone = in;
     alone.max_speed = 0;
-    const double reach = 0.8 * alone.spacing;
+    const double range = 0.8 * alone.spacing;
     CHECK(ModifiedRepulsion::time_step_limit(liquid(), alone, {.speed = 2, .range = 0.8}) ==
-          Approx(reach / std::sqrt(3.0)));
+          Approx(range / std::sqrt(3.0)));
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.speed = -1}.check("Contact")), Error);
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.range = -1}.check("Contact")), Error);
     CHECK_THROWS_WITH((ModifiedRepulsionParameters{.restitution = 1.5}.check("Contact")),
