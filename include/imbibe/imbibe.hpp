@@ -41,6 +41,7 @@
 #include <imbibe/monitor/displacement.hpp>
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/monitor/guard.hpp>
+#include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/monitor/narrowest_passage.hpp>
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/monitor/value_at.hpp>
