@@ -32,6 +32,8 @@ CONTRACT = [
     (r"static constexpr const char\* limit_name\b", "What its limit on the time step is called."),
     (r"static double time_step_limit\(", "The longest stable step, s."),
     (r"using limit_by_greatest =", "The field whose greatest value its limit on the time step depends on."),
+    (r"using limit_by_least_trace =", "The tensor field whose least trace its limit on the time step depends on."),
+    (r"static constexpr const char\* advection_limit_name\b", "What its limit on long steps is called."),
     (r"using effect =", "The equation that it is a form of, of which a phase has one only."),
     (r"static constexpr bool of_solids\b", "It asks for the elastic moduli of a solid."),
     (r"static constexpr bool one_sided\b", "It is listed in couplings only, as Into the wall or the solid."),

@@ -104,6 +104,7 @@ struct AntuonoDiffusionParameters {
 /// Source: Antuono, Colagrossi, Marrone and Molteni (2010).
 template <class Kernel = WendlandC2>
 struct AntuonoDiffusion {
+    /// Its gradient knows nothing of walls that count in the correction.
     using never_in_couplings = CorrectionNeighbours<Kernel>;
     using Parameters = AntuonoDiffusionParameters;
 
