@@ -16,7 +16,7 @@
 namespace longest_stable_step_test {
 
 namespace sph = imbibe;
-using Catch::Matchers::Contains;
+using imbibe_test::contains;
 using K = sph::WendlandC2;
 
 /// dv_a/dt = -k x_a - d v_a, without a limit of its own.
@@ -103,13 +103,13 @@ TEST_CASE("longest_stable_step leaves the scene as it is") {
 }
 
 TEST_CASE("longest_stable_step says so where no step is short enough, and checks its settings") {
-    CHECK_THROWS_WITH(of_one_particle<Leaving>(), Contains("not by the length of the steps"));
+    CHECK_THROWS_WITH(of_one_particle<Leaving>(), contains("not by the length of the steps"));
     sph::Solver<2, double, sph::SymplecticEuler, Swinging> scene({.support_radius = dx});
     scene.add(Swinging{{.density = 1000, .sound_speed = 1}}, {{dx, 0}}, dx);
-    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.tolerance = 0}), Contains("tolerance = 0"));
-    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.steps = 5}), Contains("steps = 5"));
-    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.growth = 1}), Contains("growth = 1"));
-    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.size = 1}), Contains("size = 1 spacings"));
+    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.tolerance = 0}), contains("tolerance = 0"));
+    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.steps = 5}), contains("steps = 5"));
+    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.growth = 1}), contains("growth = 1"));
+    CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.size = 1}), contains("size = 1 spacings"));
 }
 
 } // namespace longest_stable_step_test
