@@ -108,8 +108,10 @@ void write_part(std::ostream& out, const std::string& part, const std::vector<Ro
         const Bisected& cell = cells[{row.composition, row.scene}];
         out << "| " << row.composition << " | " << row.scene << " | " << cell.usual.limit << " | "
             << largest_words(cell, highest) << " | "
-            << (!asked ? "" : cell.usual.asked > 0 ? number(cell.usual.asked) + " | " : " | ") << cell.beyond.cause << " | " << signs_of(cell.usual) << " | "
-            << drift_of(cell.usual) << " |\n";
+            << (!asked                 ? ""
+                : cell.usual.asked > 0 ? number(cell.usual.asked) + " | "
+                                       : " | ")
+            << cell.beyond.cause << " | " << signs_of(cell.usual) << " | " << drift_of(cell.usual) << " |\n";
     }
 }
 

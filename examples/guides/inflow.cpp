@@ -22,9 +22,8 @@ int main() {
     Scene scene({.support_radius = 2.6 * dx});
     Water water{{.density = 1000, .sound_speed = 15 * speed}};
     water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
-    const auto plate =
-        scene.add(Plate{{.density = 1000}},
-                  sph::fill(sph::Box<2>({to_the_plate, -half}, {to_the_plate + 3 * dx, half}), dx), dx);
+    const auto plate = scene.add(Plate{{.density = 1000}},
+                                 sph::fill(sph::Box<2>({to_the_plate, -half}, {to_the_plate + 3 * dx, half}), dx), dx);
 
     // A column of the jet comes in at x = 0 whenever the one before has made room, with the speed of the jet.
     int columns = 0;
@@ -38,9 +37,8 @@ int main() {
         }
     };
     // What runs along the plate is taken out before its ends, beyond which it would turn round them.
-    auto drain = sph::every(0.01, [&](Scene& s) {
-        s.remove_if(jet, [&](const auto& x) { return std::abs(x[1]) > drained; });
-    });
+    auto drain =
+        sph::every(0.01, [&](Scene& s) { s.remove_if(jet, [&](const auto& x) { return std::abs(x[1]) > drained; }); });
     double force = 0, steps = 0;
     const auto measure = [&](Scene& s) {
         if (s.time() > 0.7) { // the flow is steady

@@ -35,8 +35,8 @@ struct Repeller {
 };
 struct Leaving : sph::Fluid<Repeller> {};
 struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
-struct Syrup
-    : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
+struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {
+};
 struct Body : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
                          sph::TotalLagrangianForce<K>> {};
 
@@ -60,7 +60,8 @@ double of_a_square(const Phase& material) {
     return sph::longest_stable_step(scene) / scene.time_step_limits().front().seconds;
 }
 
-TEST_CASE("longest_stable_step of a spring is 2 over its frequency, damped by what the integrator makes of the damping") {
+TEST_CASE(
+    "longest_stable_step of a spring is 2 over its frequency, damped by what the integrator makes of the damping") {
     const auto exact = [](double k, double d) { return (std::sqrt(d * d + 4 * k) - d) / k; }; // k dt^2 + 2 d dt = 4
     const double damped = exact(DampedSpring::k, DampedSpring::d);
     CHECK(of_one_particle<Swinging>() == Approx(damped).epsilon(0.05));

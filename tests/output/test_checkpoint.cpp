@@ -351,7 +351,8 @@ TEST_CASE("A restarted run goes on with the snapshots and the table of the run b
     CHECK(listed_times(folder / "water.pvd").size() == 2);
 }
 
-TEST_CASE("Phases whose names differ in template arguments only have snapshots and lines of their own", "[checkpoint]") {
+TEST_CASE("Phases whose names differ in template arguments only have snapshots and lines of their own",
+          "[checkpoint]") {
     const auto folder = output_test::fresh("alike");
     sph::Solver<2, double, sph::SymplecticEuler, Numbered<0>, Numbered<1>> scene({.support_radius = 0.1});
     scene.add(Numbered<0>{{.density = 1, .sound_speed = 1}}, {{0, 0}}, 0.05);

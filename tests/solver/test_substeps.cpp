@@ -1,5 +1,5 @@
-// Steps that are made of shorter ones, of one phase or of some terms: what is summed by both kinds is whole, and the long
-// ones are limited by what they are too long for.
+// Steps that are made of shorter ones, of one phase or of some terms: what is summed by both kinds is whole, and the
+// long ones are limited by what they are too long for.
 #include <catch_shim.hpp>
 
 #include <imbibe/imbibe.hpp>
@@ -19,17 +19,16 @@ struct Meet : sph::Coupling<Water, Steel, sph::VolumeContinuity<K>, sph::VolumeP
 struct Oil : sph::Fluid<sph::LinearState, sph::SummationDensity<K>, sph::VolumePressure<K>, sph::TimeAveragedMotion> {};
 struct MeetOil : sph::Coupling<Water, Oil, sph::Into<Oil, sph::SummationNeighbours<K>>,
                                sph::Into<Water, sph::VolumeContinuity<K>>, sph::VolumePressure<K>> {};
-struct Rubber
-    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean, sph::TotalLagrangianForce<K>,
-                 sph::KernelRepulsion<sph::Spiky>, sph::TimeAveragedMotion> {};
+struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+                           sph::TotalLagrangianForce<K>, sph::KernelRepulsion<sph::Spiky>, sph::TimeAveragedMotion> {};
 
 /// Water falls on a solid whose density follows both: the greatest density of the solid, after a few steps, kg/m^3.
 template <class Integrator>
 double density_of_the_struck() {
     sph::Solver<2, double, Integrator, Water, Steel, Meet> scene(
         {.support_radius = 3 * dx, .periodic_length = {1, 0}, .threads = 1});
-    const auto water = scene.add(Water{{.density = 1000, .sound_speed = 10}},
-                                 sph::fill(sph::Box<2>({0, 0.5}, {1, 1}), dx), dx);
+    const auto water =
+        scene.add(Water{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>({0, 0.5}, {1, 1}), dx), dx);
     const auto solid = scene.add(Steel{{.density = 1000, .sound_speed = 20, .shear_modulus = 1e5}},
                                  sph::fill(sph::Box<2>({0, 0}, {1, 0.5}), dx), dx);
     scene[water][sph::velocity].col(1).setConstant(-0.1);
@@ -72,11 +71,11 @@ TEST_CASE("A subcycled solid that meets itself sees itself where it is", "[subst
 }
 
 TEST_CASE("A subcycled phase that is moved by more than its velocity shows the others all of it", "[substeps]") {
-    struct Drifting : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>,
-                                 sph::Xsph<K>, sph::XsphTransport, sph::TimeAveragedMotion> {};
+    struct Drifting : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::Xsph<K>,
+                                 sph::XsphTransport, sph::TimeAveragedMotion> {};
     sph::Solver<2, double, sph::Subcycled<Drifting>, Drifting> scene({.support_radius = 3 * dx, .threads = 1});
-    const auto drop = scene.add(Drifting{{.density = 1000, .sound_speed = 10}},
-                                sph::fill(sph::Box<2>({0, 0}, {0.4, 0.4}), dx), dx);
+    const auto drop =
+        scene.add(Drifting{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>({0, 0}, {0.4, 0.4}), dx), dx);
     for (int i = 0; i < scene[drop].size(); ++i)
         scene[drop][sph::velocity](i, 0) = scene[drop][sph::position](i, 1); // a shear, which XSPH smooths
     scene.prepare();
@@ -94,8 +93,8 @@ TEST_CASE("A subcycled phase that is moved by more than its velocity shows the o
 }
 
 TEST_CASE("A sum of which one half is evaluated in long steps is whole in the short ones", "[substeps]") {
-    struct Summed : sph::Fluid<sph::LinearState, sph::SummationDensity<K>, sph::VolumePressure<K>,
-                               sph::MorrisViscosity<K>> {};
+    struct Summed
+        : sph::Fluid<sph::LinearState, sph::SummationDensity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
     struct Floor : sph::Wall<> {};
     struct On : sph::Coupling<Summed, Floor, sph::Into<Summed, sph::SummationNeighbours<K>>,
                               sph::Into<Floor, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>> {};
@@ -133,8 +132,7 @@ TEST_CASE("Long steps are limited by walls that a program moves, as fast as it m
         {.support_radius = 3 * dx, .threads = 1});
     scene.add(Slosh{{.density = 1000, .sound_speed = 20, .viscosity = 1}},
               sph::fill(sph::Box<2>({0, 0}, {0.5, 0.5}), dx), dx);
-    const auto paddle =
-        scene.add(Paddle{{.density = 1000}}, sph::fill(sph::Box<2>({-3 * dx, 0}, {0, 0.5}), dx), dx);
+    const auto paddle = scene.add(Paddle{{.density = 1000}}, sph::fill(sph::Box<2>({-3 * dx, 0}, {0, 0.5}), dx), dx);
     scene.step();
     scene[paddle][sph::velocity].col(0).setConstant(5);
     CHECK(scene.next_step().reason == "advection");
@@ -152,8 +150,7 @@ TEST_CASE("Long steps are no longer than shifting bears", "[substeps]") {
         {.support_radius = 3 * dx, .periodic_length = {1, 1}, .search_skin = 0.1, .threads = 1});
     Shifted water{{.density = 1000, .sound_speed = 100, .viscosity = 1e-3}};
     water.set(sph::ParticleShiftingParameters{.strength = 4, .least_speed = 1});
-    const auto fluid =
-        scene.add(water, sph::jitter<2>(sph::fill(sph::Box<2>({0, 0}, {1, 1}), dx), 0.05 * dx, 7), dx);
+    const auto fluid = scene.add(water, sph::jitter<2>(sph::fill(sph::Box<2>({0, 0}, {1, 1}), dx), 0.05 * dx, 7), dx);
     CHECK(scene.next_step().reason == "particle shifting");
     CHECK(scene.next_step().seconds == Approx(0.4 * 0.1 * 9 * dx / 4));
     double farthest = 0;

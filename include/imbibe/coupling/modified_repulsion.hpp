@@ -82,8 +82,8 @@ struct ModifiedRepulsion {
         const double depth = std::min(std::cbrt(power<3>(depth_now) + sq(fastest / parameters.speed)), 1.0);
         return reach / std::max(0.5 * std::sqrt(3 * depth) * parameters.speed, fastest);
     }
-    /// The same within one phase, for pairs of any depth: r_0/max(sqrt(3) U/2, 2 v) min(1, (1.25 spacings/r_0)^(dim/2)),
-    /// s; the last factor is that of KernelRepulsion, for the number of particles that one meets.
+    /// The same within one phase, for pairs of any depth, s: r_0/max(sqrt(3) U/2, 2 v) times the lesser of 1 and
+    /// (1.25 spacings/r_0)^(dim/2), a factor of KernelRepulsion for the number of particles that one meets.
     static double time_step_limit(const auto&, const TimeStepInput& in, const Parameters& parameters) {
         const double reach = std::min(parameters.range * in.spacing, in.support_radius);
         if (!(parameters.speed > 0 && reach > 0))

@@ -69,9 +69,9 @@ struct MonaghanViscosity {
     static constexpr const char* limit_name = "artificial viscosity";
     /// 2 H/(f S (alpha c + 2 beta v)), s, with twice the greatest speed for v, at which two particles may meet, S = H^2
     /// times the integral of |grad W| r/(r^2 + (0.1 H)^2), and f = 0.42 in 2D and 0.31 in 3D: 0.41 and 0.51 H/(alpha c)
-    /// with WendlandC2. On square and cubic lattices of 1.25 to 4 spacings a support no wave is damped faster than at the
-    /// rate f S alpha c/H with any of the library's kernels (half of the neighbours approach at a time), and an explicit
-    /// step is stable below 2 over that rate.
+    /// with WendlandC2. On square and cubic lattices of 1.25 to 4 spacings a support no wave is damped faster than at
+    /// the rate f S alpha c/H with any of the library's kernels (half of the neighbours approach at a time), and an
+    /// explicit step is stable below 2 over that rate.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         TimeStepInput towards_each_other = in;
         towards_each_other.other_max_speed = in.max_speed;

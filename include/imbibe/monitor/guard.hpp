@@ -251,8 +251,8 @@ private:
                          text("is inside ", detail::type_name<B>(), ", whose particles fill ", filled,
                               " of its surroundings",
                               scene.steps() > 0
-                                  ? ": does its density follow the wall (a continuity term Into it, in their coupling)? A "
-                                    "wall that is moved needs its velocity with its places. A KernelRepulsion over 0.8 "
+                                  ? ": does its density follow the wall, by a continuity term in their coupling? A wall "
+                                    "that is moved needs its velocity with its places. A KernelRepulsion over 0.8 "
                                     "spacings keeps the two apart, a higher sound speed lets less water in"
                                   : ", before the first step: the two phases overlap as they were added; fill one only "
                                     "where the other is not"));

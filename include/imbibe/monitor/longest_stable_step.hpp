@@ -61,8 +61,8 @@ public:
         return limits.empty() ? start_.settings().max_time_step : limits.front().seconds;
     }
     /// The logarithm of the factor by which a disturbance comes to grow in a step of `dt`, s: the mean over the later
-    /// half of so many `steps`, less what a velocity that stays as it is makes ways grow meanwhile. Infinite where there
-    /// is no telling.
+    /// half of so many `steps`, less what a velocity that stays as it is makes ways grow meanwhile. Infinite where
+    /// there is no telling.
     double growth(double dt, int steps) {
         constexpr double beyond_doubt = 50, infinity = std::numeric_limits<double>::infinity();
         undisturbed_ = start_;
@@ -195,11 +195,11 @@ private:
 ///
 /// It is a statement about this state: where particles come nearer to each other later, forces are stiffer, and what is
 /// unstable for as long as a single pair is that near need not be in a flow. It sees nothing that is not small, as an
-/// impact, and in a scene at rest no dissipation that begins with speed. Against steps that were bisected it is right to
-/// a tenth, and up to 1.9 times too short where a force depends on whether a pair approaches, and with corrected gradients
-/// at free surfaces (docs/stability.md, "Limits").
+/// impact, and in a scene at rest no dissipation that begins with speed. Against steps that were bisected it is right
+/// to a tenth, and up to 1.9 times too short where a force depends on whether a pair approaches, and with corrected
+/// gradients at free surfaces (docs/stability.md, "Limits").
 ///
-/// Source: power iteration, von Mises and Pollaczek-Geiringer (1929); with the derivative of a whole step by differences.
+/// Source: power iteration, von Mises and Pollaczek-Geiringer (1929); here with differences for a derivative.
 ///
 /// @param scene the scene, @param settings how it looks
 /// @return the step, s; 64 times the shortest limit (or Settings::max_time_step where none is known) if that is borne

@@ -135,11 +135,11 @@ struct ReferenceCorrection {
     ///
     /// spacing/(c (1 + 3 (S/S_0 - 1))) where the greatest S_a is above S_0, 2.82/spacing in 3D and 2/spacing in 2D,
     /// which is the greatest on lattices: irregular particles with few neighbours, whose gradients are corrected by
-    /// much, are stiffer. Fitted to shaken sheets, rows and blocks that are more or less irregular, with supports of 1.5
-    /// to 2.6 spacings: the longest step that holds is 0.84 to 1.9 times this.
+    /// much, are stiffer. Fitted to shaken sheets, rows and blocks that are more or less irregular, with supports
+    /// of 1.5 to 2.6 spacings: the longest step that holds is 0.84 to 1.9 times this.
     ///
-    /// The law's limit ("elastic wave") for a support t times as short, or 1/t^(1/4) of it where that is less, where the
-    /// gradients of every particle are corrected by more than in a large body: t is the least trace of L, over that
+    /// The law's limit ("elastic wave") for a support t times as short, or 1/t^(1/4) of it where that is less, where
+    /// the gradients of every particle are corrected by more than in a large body: t is the least trace of L, over that
     /// inside a lattice, above 1.1 in bodies two particles thick and in some of three. For plates, bars and blocks of
     /// two and three particles, supports of 1.5 to 2.6 spacings and all Poisson's ratios up to 0.499 the longest step
     /// that holds is 0.90 to 1.45 times this and the law's (tests/terms/test_total_lagrangian.cpp).

@@ -172,8 +172,8 @@ public:
                                                          reach_of(this->template support<A, B>()), this->periodic);
     }
 
-    /// The greatest speed in phase P, m/s: of what moves by itself as it was after the last step, of walls, which a host
-    /// moves, as it is now.
+    /// The greatest speed in phase P, m/s: of what moves by itself as it was after the last step, of walls, which a
+    /// host moves, as it is now.
     template <class P>
     double speed_now() const {
         if constexpr (!P::moves && contains<Velocity, typename Base::template FieldsOf<P>>)

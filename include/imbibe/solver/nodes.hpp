@@ -136,8 +136,8 @@ struct NodesOfCoupling<C, TypeList<Term...>> {
     using type = Concat<typename NodesOfCouplingTerm<C, Term>::type...>;
 };
 
-// The same particle part on the same phase, asked for by several terms, runs once: the first one's coefficients. So does
-// the same sum over the same neighbours, asked for by several terms of one phase or coupling.
+// The same particle part on the same phase, asked for by several terms, runs once: the first one's coefficients. So
+// does the same sum over the same neighbours, asked for by several terms of one phase or coupling.
 template <int dim, class N>
 inline constexpr bool is_pair_node = is_pair_part<typename N::Part, dim, typename N::A, typename N::B>;
 
@@ -149,7 +149,8 @@ template <int dim, class N, class... K>
 consteval bool already_there(TypeList<K...>) {
     if constexpr (is_pair_node<dim, N>)
         return ((std::is_same_v<typename N::Part, typename K::Part> && std::is_same_v<typename N::A, typename K::A> &&
-                 std::is_same_v<typename N::B, typename K::B> && std::is_same_v<typename N::Owner, typename K::Owner>) ||
+                 std::is_same_v<typename N::B, typename K::B> &&
+                 std::is_same_v<typename N::Owner, typename K::Owner>) ||
                 ...);
     else
         return ((std::is_same_v<typename N::Part, typename K::Part> && std::is_same_v<typename N::A, typename K::A>) ||

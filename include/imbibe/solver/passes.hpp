@@ -1,8 +1,8 @@
 // Parts of a step, for integrators that do not evaluate all terms at once, or some more often than others: which rows
 // of the schedule belong to them. A pass is what an engine runs: rows, the plan that orders them, the columns they add
-// to, which start from zero, and `gravity`: does the acceleration of all phases start from gravity, or is something in it
-// already? A pass that is run several times has columns that are `kept`: they start each time from what another pass,
-// which is run once, has put into them.
+// to, which start from zero, and `gravity`: does the acceleration of all phases start from gravity, or is something in
+// it already? A pass that is run several times has columns that are `kept`: they start each time from what another
+// pass, which is run once, has put into them.
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>

@@ -92,8 +92,8 @@ constexpr bool are_coupled(TypeList<C...>) {
 }
 
 /// A sentence if particles of a phase are not as far apart as the spacing that they were added with, which gives their
-/// mass, or an empty one. The nearest one is a spacing away on square and cubic lattices, 1.12 on a face-centred one, and
-/// 0.6 where particles of a lattice are moved at random by up to 0.3 spacings.
+/// mass, or an empty one. The nearest one is a spacing away on square and cubic lattices, 1.12 on a face-centred one,
+/// and 0.6 where particles of a lattice are moved at random by up to 0.3 spacings.
 /// @param link of the phase to itself
 template <class Link, class Engine>
 std::string warning_of_other_spacing(const Link& link, const Engine& engine) {

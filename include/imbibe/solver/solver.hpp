@@ -226,8 +226,8 @@ public:
         }
         return least;
     }
-    /// From now on all steps are `share` (above 0, at most 1) of what they would have been: the CFL number, a fixed step
-    /// and the longest step are multiplied by it.
+    /// From now on all steps are `share` (above 0, at most 1) of what they would have been: the CFL number, a fixed
+    /// step and the longest step are multiplied by it.
     void shorten_steps(double share) {
         require(share > 0 && share <= 1, "shorten_steps(", share, "); the share must be above 0 and at most 1");
         settings_.cfl *= share;

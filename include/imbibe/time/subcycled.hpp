@@ -34,8 +34,8 @@ struct SubcycledWithoutMean {
 
 /// SymplecticEuler for the scene, with steps that the limits of phase `Fast` do not shorten: within each, `Fast` takes
 /// as many steps of its own as its limits ask for, under the force that its couplings had at the beginning, and with
-/// what they added to its other sums then. What the others see of it is its position and its mean velocity over the last
-/// step, so that their densities follow the volume it has swept.
+/// what they added to its other sums then. What the others see of it is its position and its mean velocity over the
+/// last step, so that their densities follow the volume it has swept.
 ///
 /// For a stiff structure in soft company: metal or rubber in water, where the solid's sound speed is several times the
 /// fluid's. `Fast` must list TimeAveragedMotion. Not where `Fast` is so light that the fluid's force must follow each
