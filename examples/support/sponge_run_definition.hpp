@@ -13,15 +13,6 @@
 
 namespace imbibe::example {
 
-/// The elastic energy of the sponge, J; in the composition of the paper for small strains.
-template <class C, class View>
-double stored_energy(const View& sponge) {
-    if constexpr (std::is_same_v<C, presets::SoundSponge>)
-        return elastic_energy<3>(sponge);
-    else
-        return compression_energy(sponge) + shear_energy<3>(sponge);
-}
-
 /// Set by Ctrl-C and by a polite kill while a run is going on.
 inline volatile std::sig_atomic_t stop_asked = 0;
 
@@ -159,7 +150,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         table.row({s.time(), mean, probe.mean_vector(sponge)[2], probe.greatest(sponge),
                    result.drained * water_at_start * particle, result.drained, kinetic_energy(water),
                    potential_energy(water, s.settings().gravity), compression_energy(water), kinetic_energy(sponge),
-                   stored_energy<C>(sponge), all[0], all[1], all[2],
+                   stored_energy(sponge), all[0], all[1], all[2],
                    water.size() > 0 ? static_cast<double>(water[density].minCoeff()) : 0.0,
                    water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds,
                    s.last_step().reason + ", " + s.last_step().where});

@@ -62,8 +62,8 @@ public:
         });
         return {nearest, std::sqrt(least2)};
     }
-    /// How far the nearest other particle is, for half of the targets at most, over a sample, m: the median, of those
-    /// that have one; 0 where nobody has. For a phase among itself.
+    /// The median distance of the nearest other particle over a sample, m, of those that have one within reach; 0 where
+    /// none has. For a phase among itself.
     double median_nearest() const {
         std::vector<double> nearest;
         const int stride = std::max(1, targets_.n / 1000);

@@ -213,8 +213,8 @@ class RowsOfTerms {
         for (std::size_t k = 0; k < rows.size(); ++k)
             if (rows[k].advances || ((rows[k].adds | rows[k].sets) & motion).any())
                 chosen.set(static_cast<int>(k));
-        return with_whole_sums(rows, Scene::rows(typename Scene::StepRows{}), chosen,
-                               columns_of<Rate<Velocity>>(typename Scene::Phases{}));
+        constexpr Bits partial = columns_of<Rate<Velocity>>(typename Scene::Phases{}); // g++ 12: not by accelerations()
+        return with_whole_sums(rows, Scene::rows(typename Scene::StepRows{}), chosen, partial);
     }
     static constexpr Bits others = find_others();
     static constexpr Bits listed = all_but(others, Scene::rows(typename Scene::StepRows{}));

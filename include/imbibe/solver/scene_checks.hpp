@@ -36,6 +36,24 @@ void check_terms(const Owner& owner, TypeList<Term...>) {
         (check(std::type_identity<Term>{}), ...);
 }
 
+/// Throws Error unless particles that are added to a phase are of the material, the spacing and the support radius (m)
+/// that it has: its material as it is, that of the new ones, theirs, and the name of the phase.
+void require_same_material(const auto& phase, const auto& material, double spacing, double support,
+                           const std::string& name) {
+    const auto check = [&](double before, double now, const char* what, const char* unit) {
+        require(before == now, name, ": particles were added with ", what, " ", before, " ", unit, " before and ", now,
+                " ", unit, " now; use a second phase for a second material or spacing");
+    };
+    check(phase.spacing, spacing, "spacing", "m");
+    check(phase.density, material.density, "density", "kg/m^3");
+    check(phase.sound_speed, material.sound_speed, "sound speed", "m/s");
+    check(phase.support_radius, support, "support radius", "m");
+    if constexpr (requires { material.viscosity; })
+        check(phase.viscosity, material.viscosity, "viscosity", "Pa s");
+    if constexpr (requires { material.shear_modulus; })
+        check(phase.shear_modulus, material.shear_modulus, "shear modulus", "Pa");
+}
+
 /// A sentence if a particle of a square or cubic lattice has too few neighbours, or an empty one.
 /// @param ratio the support radius in spacings
 template <int dim>
@@ -102,9 +120,9 @@ std::string warning_of_other_spacing(const Link& link, const Engine& engine) {
     const double apart = engine.pairs_of(link).median_nearest();
     if (apart == 0 || (apart > 0.5 * spacing && apart < 1.4 * spacing))
         return {};
-    return text(type_name<P>(), ": its particles were added with a spacing of ", spacing, " m, and half of them are ",
-                apart, " m or more from the next one. Each has the mass density * spacing^dim, so the spacing must be ",
-                "that of the points");
+    return text(type_name<P>(), ": its particles were added with a spacing of ", spacing, " m, and the next one is ",
+                apart, " m away (the median). Each has the mass density * spacing^dim, so the spacing must be that of ",
+                "the points");
 }
 
 /// A sentence if a fluid lies beside another phase and is not coupled to it, or an empty one.

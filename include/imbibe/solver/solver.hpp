@@ -522,18 +522,8 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
             require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
                     "; all coordinates must be finite numbers, m");
     auto& s = *find_phase<P>(engine_);
-    const auto require_same = [&](double before, double now, const char* what, const char* unit) {
-        require(s.size() == 0 || before == now, name, ": particles were added with ", what, " ", before, " ", unit,
-                " before and ", now, " ", unit, " now; use a second phase for a second material or spacing");
-    };
-    require_same(s.material.spacing, spacing, "spacing", "m");
-    require_same(s.material.density, material.density, "density", "kg/m^3");
-    require_same(s.material.sound_speed, material.sound_speed, "sound speed", "m/s");
-    require_same(s.material.support_radius, support, "support radius", "m");
-    if constexpr (requires { material.viscosity; })
-        require_same(s.material.viscosity, material.viscosity, "viscosity", "Pa s");
-    if constexpr (requires { material.shear_modulus; })
-        require_same(s.material.shear_modulus, material.shear_modulus, "shear modulus", "Pa");
+    if (s.size() > 0)
+        detail::require_same_material(s.material, material, spacing, support, name);
     require(static_cast<double>(s.size()) + static_cast<double>(points.size()) < 0x1p31, name, ": ", points.size(),
             " points for a phase of ", s.size(), " particles; at most 2^31 - 1 are possible");
     if constexpr (std::is_same_v<Real, float>) // products of two volumes are formed
