@@ -15,7 +15,7 @@ packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy 
 for group in "$@"; do
     case $group in
         tests) packages="$packages python3-vtk9 pkg-config" ;;
-        clang) packages="$packages clang libomp-dev" ;;
+        clang) packages="$packages clang libomp-dev libc++-dev libc++abi-dev" ;;
         benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind python3-psutil" ;;
         docs) packages="$packages doxygen linkchecker" ;;
         browser) packages="$packages chromium chromium-driver python3-selenium" ;;

@@ -58,8 +58,8 @@ int main() {
 
     const auto found = later.get<Water>()[sph::position], expected = whole.get<Water>()[sph::position];
     std::ifstream lines(curve);
-    const auto rows = std::count(std::istreambuf_iterator<char>(lines), {}, '\n') - 1;
-    std::printf("at %.2f s after %lld steps: off by %g m from the run that was not stopped; %td rows\n", later.time(),
+    const long long rows = std::count(std::istreambuf_iterator<char>(lines), {}, '\n') - 1;
+    std::printf("at %.2f s after %lld steps: off by %g m from the run that was not stopped; %lld rows\n", later.time(),
                 later.steps(), (found - expected).cwiseAbs().maxCoeff(), rows);
     return found == expected && later.steps() == whole.steps() && rows == 36 ? 0 : 1;
 }

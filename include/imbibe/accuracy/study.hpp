@@ -2,10 +2,10 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/core/number_in_text.hpp>
 #include <imbibe/output/file.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -38,10 +38,8 @@ public:
     }
     /// The finite number that a word is, if it is one.
     static std::optional<double> number_in(const std::string& word) {
-        double value = 0;
-        const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-        const bool all = fault == std::errc{} && end == word.data() + word.size();
-        return all && std::isfinite(value) ? std::optional(value) : std::nullopt;
+        const auto found = detail::number_in_text(word);
+        return found && found->is_all && std::isfinite(found->value) ? std::optional(found->value) : std::nullopt;
     }
     /// Which repetition this is, from 0 on: the seed of a jittered start.
     int repetition = 0;

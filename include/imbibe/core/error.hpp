@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -50,6 +51,7 @@ private:
 
 [[gnu::cold, gnu::noinline]] inline std::string joined(std::initializer_list<TextPart> parts) {
     std::ostringstream out;
+    out.imbue(std::locale::classic()); // a host's locale may write commas for points
     out.precision(6);
     for (const TextPart& part : parts)
         out << part;

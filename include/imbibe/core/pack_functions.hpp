@@ -240,7 +240,11 @@ namespace detail {
 #if IMBIBE_VECTOR_EXTENSION
 template <int first, class Real, int width, std::size_t... k>
 IMBIBE_INLINE Pack<Real, width / 2> half_of(Pack<Real, width> x, std::index_sequence<k...>) {
+#if __has_builtin(__builtin_shufflevector)
     return Pack<Real, width / 2>(__builtin_shufflevector(x.lanes, x.lanes, (first + static_cast<int>(k))...));
+#else // g++ 11
+    return Pack<Real, width / 2>(typename PackStorage<Real, width / 2>::type{x.lanes[first + static_cast<int>(k)]...});
+#endif
 }
 #endif
 } // namespace detail

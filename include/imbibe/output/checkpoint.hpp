@@ -93,6 +93,7 @@ std::string list_name() {
 template <class Scene>
 std::string checkpoint_head(const Scene& scene) {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     out.precision(17);
     out << checkpoint_title << "numbers " << 8 * sizeof(typename Scene::Real) << " bits, "
         << (std::endian::native == std::endian::little ? "little" : "big") << " end first\ndimension "

@@ -1,6 +1,7 @@
 // Tables of numbers over time as CSV files that spreadsheets, pandas and tools/plot_curves.py read.
 #pragma once
 
+#include <imbibe/core/number_in_text.hpp>
 #include <imbibe/output/file.hpp>
 
 #include <array>
@@ -188,11 +189,10 @@ private:
                 line, "' where this run writes '", expected, "'", remedy);
         std::string kept = line + "\n";
         while (std::getline(in, line) && !in.eof()) { // a last line without its end was cut off by a kill
-            double time = 0;
-            require(std::from_chars(line.data(), line.data() + line.size(), time).ec == std::errc{},
-                    "cannot continue the table ", path_.string(), ": its row '", line, "' does not begin with a time",
-                    remedy);
-            if (!detail::earlier(time, seconds))
+            const auto time = detail::number_in_text(line);
+            require(time.has_value(), "cannot continue the table ", path_.string(), ": its row '", line,
+                    "' does not begin with a time", remedy);
+            if (!detail::earlier(time->value, seconds))
                 break;
             kept += line + "\n";
         }

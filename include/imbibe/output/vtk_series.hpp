@@ -1,6 +1,7 @@
 // A time series of one set of particles: numbered `.vtp` files and the `.pvd` file that lists them with their times.
 #pragma once
 
+#include <imbibe/core/number_in_text.hpp>
 #include <imbibe/output/vtk.hpp>
 
 #include <cstdio>
@@ -94,10 +95,10 @@ private:
             constexpr std::string_view start = "<DataSet timestep=\"";
             if (!line.starts_with(start))
                 continue;
-            double seconds = 0;
-            const char* digits = line.data() + start.size();
-            if (std::from_chars(digits, line.data() + line.size(), seconds).ec != std::errc{})
+            const auto time = detail::number_in_text(line.substr(start.size()));
+            if (!time)
                 continue;
+            const double seconds = time->value;
             if (!detail::earlier(seconds, end))
                 break;
             const auto name = file_name(found.size());
