@@ -87,7 +87,7 @@ TEST_CASE("A study measures error bars and time, keeps failures, and finds the f
     std::getline(file, line);
     std::getline(file, line);
     std::getline(file, line);
-    CHECK_THAT(line, contains("\"breaks\",inf,inf,inf,") && contains(",0,\"it 'broke'\""));
+    CHECK_THAT(line, contains("\"breaks\",inf,inf,inf,") && contains(",0,\"it \"\"broke\"\"\""));
     std::filesystem::remove(path);
 }
 
@@ -125,6 +125,11 @@ TEST_CASE("A program's user may choose for a study", "[accuracy]") {
                         contains("'kernel' has no choice 'd'; it has 'a', 'b', 'c'"));
     REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("n", {"many"})), contains("takes numbers, as '1', '2'"));
     REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("n", {"inf"})), contains("no choice 'inf'"));
+    CHECK(seen(accuracy::Study{}.instead("kernel", {"b"}).instead("kernel", {"c"})) == All{"1 c ", "2 c "});
+    accuracy::Study twice;
+    twice.axis("kernel", {"a", "b", "c"}).instead("kernel", {"b"}).instead("kernel", {"c"}); // "c" is offered as before
+    REQUIRE_THROWS_WITH(twice.one_at_a_time([](const accuracy::Choices&) -> accuracy::Outcome { return {0}; }, {"nn"}),
+                        contains("no axis 'nn'; it has 'kernel'"));
     accuracy::Study late; // the axis was there first
     late.axis("kernel", {"a", "b"});
     REQUIRE_THROWS_WITH(late.instead("kernel", {"d"}), contains("no choice 'd'; it has 'a', 'b'"));

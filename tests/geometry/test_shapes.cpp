@@ -109,6 +109,10 @@ TEST_CASE("A half space has bounds only for a normal along an axis") {
     CHECK(slanted.contains({-1, 0.5}));
     CHECK_FALSE(slanted.contains({1, -0.5}));
     CHECK(slanted.bounds().upper()[0] == infinity);
+    for (const double length : {1e-200, 1e200}) { // whose squares are no numbers
+        CHECK((HalfSpace<2>{{0, 0}, {0, length}}.normal()) == Point<2>(0, 1));
+        CHECK(Cylinder({0, 0, 0}, {0, 0, length}, 1, 1).axis() == Point<3>(0, 0, 1));
+    }
     CHECK_THROWS_WITH((HalfSpace<2>{{0, 0}, {0, 0}}), contains("normal") && contains("must not be zero"));
     CHECK_THROWS_WITH((HalfSpace<2>{{not_a_number, 0}, {0, 1}}), contains("point"));
 }

@@ -83,4 +83,17 @@ TEST_CASE("A total-Lagrangian solid stores what its own law says", "[energy]") {
           Approx(volume * (lambda / 4 * (2 * E - 2 * log) + mu / 2 * (2 * E - 2 * log))).epsilon(1e-12));
 }
 
+TEST_CASE("What is added during a run stores nothing until it is deformed", "[energy]") {
+    using Block = Referred<sph::NeoHookean>;
+    const double dx = 0.1;
+    const Block rubber{{.density = 950, .sound_speed = 30, .shear_modulus = 2e5}};
+    sph::Solver<2, double, sph::SymplecticEuler, Block> scene({.support_radius = 2 * dx, .time_step = 1e-4});
+    const auto block = scene.add(rubber, sph::fill(sph::Box<2>({0, 0}, {1, 1}), dx), dx);
+    CHECK(sph::elastic_energy<2>(scene[block]) == 0);
+    scene.step();
+    scene.add(rubber, sph::fill(sph::Box<2>({5, 0}, {6, 1}), dx), dx);
+    CHECK(sph::elastic_energy<2>(scene[block]) == Approx(0).margin(1e-9));
+    CHECK(sph::stored_energy(scene[block]) == Approx(0).margin(1e-9));
+}
+
 } // namespace energy_test

@@ -57,6 +57,9 @@ void drop_at(const sph::Point<dim>& x) {
     guard.look(scene);
 }
 
+template <int>
+struct Numbered : sph::Fluid<> {};
+
 struct Stone : sph::Fluid<> {};
 using Flight = sph::Solver<2, double, sph::SymplecticEuler, Stone>;
 
@@ -136,6 +139,15 @@ TEST_CASE("A guard names the particle that is wrong", "[guard]") {
         CHECK(error.cause == sph::Cause::not_finite);
         CHECK_THAT(error.what(), contains("particle " + id) && contains("velocity"));
     }
+    SECTION("not a number, at a glance") {
+        view[sph::velocity](i + 1, 0) = 70; // the fastest is another one
+        scene.step();
+        scene[water][sph::velocity](i, 1) = std::numeric_limits<float>::quiet_NaN();
+        const auto wrong = std::to_string(scene[water].ids()[i]);
+        const auto error = thrown_by([&] { sph::Guard<2>({.interval = 1000})(scene); });
+        CHECK(error.cause == sph::Cause::not_finite);
+        CHECK_THAT(error.what(), contains("particle " + wrong + " of phase"));
+    }
     SECTION("faster than sound") {
         view[sph::velocity](i, 0) = 70;
         scene.step();
@@ -191,6 +203,31 @@ TEST_CASE("A guard notices energy without work, and not what falls or leaves", "
         calm(scene);
     });
     CHECK(stones.particles() == 1);
+
+    // Rain: what has fallen out is let fall again from above, so that as many go as come.
+    Flight rain({.gravity = {0, -9.81}, .support_radius = 0.1, .time_step = 0.01});
+    const auto drop = rain.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+    sph::Guard<2> umbrella({.interval = 1});
+    int fallen = 0;
+    rain.run_until(2, [&](auto& scene) {
+        if (scene[drop][sph::position].col(1).minCoeff() < -1) {
+            scene.remove_if(drop, [](const auto& x) { return x[1] < -1; });
+            scene.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+            ++fallen;
+        }
+        umbrella(scene);
+    });
+    CHECK(fallen == 4);
+}
+
+TEST_CASE("A guard tells phases of one name apart", "[guard]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Numbered<0>, Numbered<1>> scene({.support_radius = 0.1});
+    scene.add(Numbered<0>{{.density = 1, .sound_speed = 1}}, {{0, 0}}, 0.05);
+    scene.add(Numbered<1>{{.density = 1, .sound_speed = 1}}, {{1, 5}}, 0.05);
+    scene.step(1e-3);
+    const auto error = thrown_by([&] { sph::Guard<2>({.upper = {2, 2}}).look(scene); });
+    CHECK(error.phase == "Numbered_2");
+    CHECK_THAT(error.what(), contains("of phase Numbered_2"));
 }
 
 TEST_CASE("A guard that begins where stress is stored knows what it may release", "[guard]") {

@@ -26,6 +26,12 @@ Scene dam() {
     return scene;
 }
 
+std::string text_of_time(const char* format, double seconds) {
+    char digits[80];
+    std::snprintf(digits, sizeof digits, format, seconds);
+    return std::string("t ") + digits + " s";
+}
+
 bool says(const std::string& text, const std::string& what) {
     INFO(text);
     CAPTURE(what);
@@ -125,6 +131,7 @@ TEST_CASE("The live line says how far, how fast, what limits the step, and how l
     std::snprintf(expected, sizeof expected, "%5.1f %%  t %.4f s  step 30  dt %.2e s (", 100 * scene.time(),
                   scene.time(), scene.last_step().seconds);
     CHECK(line.rfind(expected, 0) == 0);
+    says(sph::Progress(2e-6, false).line(scene), text_of_time("%.8f", scene.time()));
     says(line, "(" + scene.last_step().reason + ", " + scene.last_step().where + ")");
     says(line, " M particle-steps/s  left ");
     CHECK(std::isdigit(static_cast<unsigned char>(line.back())));
@@ -170,6 +177,24 @@ TEST_CASE("An interval of every() that makes no sense is refused by that name", 
     const auto nothing = [](auto&) {};
     REQUIRE_THROWS_WITH(sph::every(0, nothing), imbibe_test::contains("every(interval, ...): interval = 0 s"));
     REQUIRE_THROWS_WITH(sph::every(std::nan(""), nothing), imbibe_test::contains("interval = nan s"));
+}
+
+TEST_CASE("An interval of every() that is far below a step is every step", "[reports]") {
+    struct Clock {
+        double now;
+        double time() const { return now; }
+        long long steps() const { return 0; }
+        imbibe::TimeStepLimit last_step() const { return {0, "", ""}; }
+    };
+    for (const double interval : {1e-6, 1e-12, 1e-300}) {
+        int calls = 0;
+        auto observer = sph::every(interval, [&](const Clock&) { ++calls; });
+        for (const double time : {0.0, 0.3, 0.6, 1e3}) {
+            Clock clock{time};
+            observer(clock);
+        }
+        CHECK(calls == 4);
+    }
 }
 
 TEST_CASE("every() calls at the same steps where a run goes on and where time has gone back", "[reports]") {

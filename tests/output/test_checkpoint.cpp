@@ -272,6 +272,40 @@ TEST_CASE("Checkpoints by simulated time", "[checkpoint]") {
     sph::read_checkpoint(other, path);
     CHECK(other.time() > 0.0499);
     REQUIRE_THROWS_WITH(sph::Checkpoints(path, 1, -0.5), imbibe_test::contains("-0.5 s"));
+
+    const std::size_t before = written.size(); // a scene that went back, with the same observer
+    auto back = make<float>();
+    back.run_until(0.012, [&](auto& s) {
+        if (checkpoints(s, [] { return sph::CheckpointNotes{}; }))
+            written.push_back(s.time());
+    });
+    REQUIRE(written.size() == before + 1);
+    CHECK(written.back() >= 0.01 * (1 - 1e-6));
+}
+
+TEST_CASE("A checkpoint with a name as long as a name may be is read, and one that cannot be there is refused",
+          "[checkpoint]") {
+    const auto folder = output_test::fresh("checkpoint_names");
+    auto scene = make<float>();
+    const auto longest = folder / std::string(249, 'x');
+    sph::write_checkpoint(scene, longest);
+    CHECK_NOTHROW(sph::read_checkpoint(scene, longest));
+    CHECK_THROWS_WITH(sph::read_checkpoint(scene, folder / std::string(300, 'x')),
+                      imbibe_test::contains("there is no such file"));
+}
+
+TEST_CASE("A checkpoint behind a link is written where it is, and the one before is kept", "[checkpoint]") {
+    const auto folder = output_test::fresh("checkpoint_link");
+    std::filesystem::create_directories(folder / "other_disk");
+    auto scene = make<float>();
+    sph::write_checkpoint(scene, folder / "other_disk/run");
+    std::filesystem::create_symlink("other_disk/run", folder / "run");
+    const auto first = output_test::content(folder / "run");
+    scene.step();
+    sph::write_checkpoint(scene, folder / "run");
+    CHECK(std::filesystem::is_symlink(folder / "run"));
+    CHECK(output_test::content(folder / "other_disk/run") != first);
+    CHECK(output_test::content(folder / "run.previous") == first);
 }
 
 TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpoint]") {
@@ -305,6 +339,21 @@ TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpo
     CHECK_THROWS_AS(sph::run_and_recover(bad, 0.3, strict, path, 1e6, 4, [&](const sph::Error&) { tried = true; }),
                     sph::Diverged);
     CHECK_FALSE(tried);
+
+    auto watched = make<float>(); // nor what an observer complains of, nor a disk that is full
+    sph::Guard<2> calm;
+    const auto complain = [](auto&) { throw sph::Error("my probe is broken"); };
+    const auto count = [&](const sph::Error&) { tried = true; };
+    CHECK_THROWS_WITH(sph::run_and_recover(watched, 0.3, calm, path, 1e6, 4, count, complain), "my probe is broken");
+    {
+        const output_test::FullDisk full(1 << 20); // enough to begin with, not for the notes of a table
+        sph::Table table(output_test::fresh("recover_full") / "run.csv", {{"time", "s"}, {"words"}});
+        const auto fill_the_disk = [&](auto& s) { table.row({s.time(), std::string(300000, 'x')}); };
+        CHECK_THROWS_WITH(sph::run_and_recover(watched, 0.3, calm, path, 1e6, 4, count, fill_the_disk),
+                          imbibe_test::contains("the disk refused a row"));
+    }
+    CHECK_FALSE(tried);
+    CHECK(watched.settings().cfl == make<float>().settings().cfl);
 }
 
 namespace {
@@ -360,6 +409,13 @@ TEST_CASE("Phases whose names differ in template arguments only have snapshots a
     scene.run_until(1e-3, sph::Snapshots(folder));
     CHECK(std::filesystem::exists(folder / "numbered_1.pvd"));
     CHECK(std::filesystem::exists(folder / "numbered_2.pvd"));
+    struct water : sph::Fluid<> {};
+    sph::Solver<2, double, sph::SymplecticEuler, Water, water> two({.support_radius = 0.1});
+    two.add(Water{{.density = 1, .sound_speed = 1}}, {{0, 0}}, 0.05);
+    two.add(water{{.density = 1, .sound_speed = 1}}, {{1, 0}, {1, 1}}, 0.05);
+    two.run_until(1e-3, sph::Snapshots(folder)); // a file system may not tell large letters from small ones
+    CHECK(std::filesystem::exists(folder / "water_1.pvd"));
+    CHECK(std::filesystem::exists(folder / "water_2.pvd"));
     sph::write_checkpoint(scene, folder / "checkpoint");
     sph::Solver<2, double, sph::SymplecticEuler, Numbered<1>, Numbered<0>> other({.support_radius = 0.1});
     other.add(Numbered<1>{{.density = 1, .sound_speed = 1}}, {{0, 0}}, 0.05);
@@ -376,7 +432,7 @@ TEST_CASE("Snapshots are of one story where a run goes back, and where two runs 
     const auto trouble = [&](auto& s) {
         if (once && s.steps() == 13) {
             once = false;
-            throw sph::Error("trouble, once");
+            throw sph::Diverged("trouble, once", sph::Cause::energy, "", {}, s.time(), s.steps());
         }
     };
     sph::Guard<2> guard;

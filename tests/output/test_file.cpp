@@ -78,11 +78,26 @@ TEST_CASE("a folder is made, or refused before the run", "[output]") {
                         contains((top / "file").string()) && contains("choose another output folder"));
     REQUIRE_THROWS_WITH(require_writable(top / "file" / "below"), contains("choose another output folder"));
     REQUIRE_THROWS_WITH(require_writable(""), contains("has no name"));
+    REQUIRE_THROWS_WITH(require_writable(top / std::string(300, 'x')), contains("choose another output folder"));
+    std::filesystem::create_symlink("loop", top / "loop");
+    REQUIRE_THROWS_WITH(require_writable(top / "loop"), contains("choose another output folder"));
     {
         const output_test::FullDisk full(1);
         REQUIRE_THROWS_WITH(require_writable(top / "a"), contains("4 kB") && contains((top / "a").string()));
     }
     CHECK(std::distance(std::filesystem::directory_iterator(top / "a"), {}) == 1);
+}
+
+TEST_CASE("a file behind a link is written where it is", "[output]") {
+    const auto top = fresh("links");
+    std::filesystem::create_directories(top / "other_disk");
+    std::ofstream(top / "other_disk/data") << "old";
+    std::filesystem::create_symlink("other_disk/data", top / "data");
+    AtomicFile file(top / "data");
+    file << "new";
+    file.commit();
+    CHECK(std::filesystem::is_symlink(top / "data"));
+    CHECK(content(top / "other_disk/data") == "new");
 }
 
 TEST_CASE("an error that ends the program takes nothing along that was printed before", "[output]") {

@@ -78,10 +78,12 @@ TEST_CASE("a table says so when the disk is full", "[output]") {
     table.row({1, 2, 3});
     const auto before = content(path);
     {
-        const output_test::FullDisk full(before.size());
+        const output_test::FullDisk full(before.size() + 3); // with room for half a row
         REQUIRE_THROWS_WITH(table.row({4, 5, 6}), contains("the disk refused a row"));
     }
     CHECK(content(path) == before);
+    table.row({7, 8, 9}); // somebody made room
+    CHECK(content(path) == before + "7,8,9\n");
 }
 
 TEST_CASE("a table is continued after a restart", "[output]") {
@@ -92,6 +94,7 @@ TEST_CASE("a table is continued after a restart", "[output]") {
         table.row({4, 5, 6});
     }
     std::ofstream(path, std::ios::app) << "7,8"; // killed in the middle of a row
+    REQUIRE_THROWS_WITH(Table::resume(path.string() + "x", columns, 0), contains("there is no such file"));
     REQUIRE_THROWS_WITH(Table::resume(path, columns, 3), contains("after 3 rows: it has 2"));
     REQUIRE_THROWS_WITH(Table::resume(path, {{"time", "ms"}}, 1), contains("where this run writes 'time [ms]'"));
     auto table = Table::resume(path, columns, 1);

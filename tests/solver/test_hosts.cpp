@@ -8,6 +8,7 @@
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/time/leapfrog.hpp>
@@ -17,6 +18,7 @@
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
 #include <catch_shim.hpp>
+#include <scene_bits.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -107,6 +109,32 @@ TEST_CASE("Fields that are set after a look at the scene count in the first step
     check_late_fields<sph::SymplecticEuler>();
     check_late_fields<sph::Leapfrog>();
     check_late_fields<sph::PredictorCorrector>();
+}
+
+TEST_CASE("What an observer adds to a run is prepared as what a host adds between steps", "[hosts]") {
+    struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+                               sph::TotalLagrangianForce<K>> {};
+    const auto run = [](auto by_observer) {
+        const double spacing = 0.1;
+        const Rubber rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}};
+        sph::Solver<2, double, sph::SymplecticEuler, Rubber> scene(
+            {.gravity = {0, -9.81}, .support_radius = 2.6 * spacing, .time_step = 1e-4, .threads = 1});
+        const auto block = scene.add(rubber, sph::fill(sph::Box<2>({0, 0}, {1, 1}), spacing), spacing);
+        scene[block][sph::velocity].col(0) = 0.1 * scene[block][sph::position].col(0);
+        const auto add = [&](auto& s) {
+            if (s.steps() == 3)
+                s.add(rubber, sph::fill(sph::Box<2>({5, 0}, {6, 1}), spacing), spacing);
+        };
+        if constexpr (by_observer)
+            scene.run_until(19.5e-4, add);
+        else
+            while (scene.time() < 19.5e-4) {
+                add(scene);
+                scene.step(std::min(1e-4, 19.5e-4 - scene.time()));
+            }
+        return imbibe_test::bits_of(scene);
+    };
+    CHECK((run(std::true_type{}) == run(std::false_type{})));
 }
 
 TEST_CASE("Gravity may change during a run", "[hosts]") {

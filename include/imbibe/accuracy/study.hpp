@@ -38,7 +38,7 @@ public:
     }
     /// The finite number that a word is, if it is one.
     static std::optional<double> number_in(const std::string& word) {
-        const auto found = detail::number_in_text(word);
+        const auto found = imbibe::detail::number_in_text(word);
         return found && found->is_all && std::isfinite(found->value) ? std::optional(found->value) : std::nullopt;
     }
     /// Which repetition this is, from 0 on: the seed of a jittered start.
@@ -123,25 +123,21 @@ public:
         require(!choices.empty(), "accuracy: the axis '", name, "' has no choices");
         for (const auto& [known, values] : axes_)
             require(known != name, "accuracy: there are two axes '", name, "'");
-        axes_.emplace_back(name, choices);
         for (const auto& [replaced, others] : instead_)
-            if (replaced == name) {
+            if (replaced == name)
                 check_instead(name, choices, others);
-                axes_.back().second = others;
-            }
+        axes_.emplace_back(name, choices);
         return *this;
     }
-    /// On this axis take these choices in place of those it was or is going to be added with: for a program whose user
-    /// chooses. A run throws Error if the axis never came.
+    /// On this axis take these choices in place of those it was or is going to be added with, and of those of an earlier
+    /// `instead`: for a program whose user chooses. A run throws Error if the axis never came.
     /// @throws Error for no choices, and for an axis that is there already as `axis` does
     Study& instead(const std::string& name, const std::vector<std::string>& choices) {
         require(!choices.empty(), "accuracy: no choices are given for the axis '", name, "'");
-        instead_.emplace_back(name, choices);
-        for (auto& [known, values] : axes_)
-            if (known == name) {
+        for (const auto& [known, values] : axes_)
+            if (known == name)
                 check_instead(name, values, choices);
-                values = choices;
-            }
+        instead_.emplace_back(name, choices);
         return *this;
     }
     /// Lets `one_at_a_time` run every combination, as `run` does.
@@ -171,29 +167,32 @@ public:
     template <class Case>
     std::vector<Row> run(const Case& what) const {
         std::vector<Choices> all{Choices{}};
-        for (const auto& [name, values] : axes_)
+        for (const auto& [name, values] : chosen())
             all = with_each(all, name, values);
         return run_all(all, what);
     }
     /// The first choice of every axis, and all that differ from it on one axis. `along`: on these axes all choices are
-    /// combined with each of them (the spacing, usually).
+    /// combined with each of them (the spacing, usually). Throws Error if one of these is no axis of the study.
     template <class Case>
     std::vector<Row> one_at_a_time(const Case& what, const std::vector<std::string>& along = {}) const {
+        for (const std::string& name : along)
+            require_axis(name);
         if (combined_)
             return run(what);
         const auto is_along = [&](const std::string& name) {
             return std::find(along.begin(), along.end(), name) != along.end();
         };
+        const Axes axes = chosen();
         Choices first;
-        for (const auto& [name, values] : axes_)
+        for (const auto& [name, values] : axes)
             first.set(name, values.front());
         std::vector<Choices> all{first};
-        for (const auto& [name, values] : axes_)
+        for (const auto& [name, values] : axes)
             for (std::size_t k = 1; k < values.size() && !is_along(name); ++k) {
                 all.push_back(first);
                 all.back().set(name, values[k]);
             }
-        for (const auto& [name, values] : axes_)
+        for (const auto& [name, values] : axes)
             if (is_along(name))
                 all = with_each(all, name, values);
         return run_all(all, what);
@@ -201,12 +200,20 @@ public:
 
 private:
     using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
-    Axes axes_, instead_;
+    Axes axes_, instead_; // as they were added, and what is to be taken in their place
     bool combined_ = false;
     int repetitions_ = 1;
     std::optional<std::size_t> only_;
     std::function<void(const Choices&, std::size_t, std::size_t)> tell_;
 
+    Axes chosen() const {
+        Axes all = axes_;
+        for (const auto& [replaced, others] : instead_)
+            for (auto& [name, values] : all)
+                if (name == replaced)
+                    values = others;
+        return all;
+    }
     static void check_instead(const std::string& axis, const std::vector<std::string>& known,
                               const std::vector<std::string>& wanted) {
         const bool numbers = Choices::number_in(known.front()).has_value();
@@ -216,13 +223,12 @@ private:
                     "accuracy: the axis '", axis, "' has no choice '", one, "'; ",
                     numbers ? "it takes numbers, as " : "it has ", listed(known));
     }
-    void check_replaced() const {
+    void require_axis(const std::string& wanted) const {
         std::vector<std::string> known;
         for (const auto& [name, choices] : axes_)
             known.push_back(name);
-        for (const auto& [name, choices] : instead_)
-            require(std::find(known.begin(), known.end(), name) != known.end(), "accuracy: the case has no axis '",
-                    name, "'; it has ", listed(known));
+        require(std::find(known.begin(), known.end(), wanted) != known.end(), "accuracy: the case has no axis '", wanted,
+                "'; it has ", listed(known));
     }
     static std::string listed(const std::vector<std::string>& words) {
         std::string all;
@@ -243,7 +249,8 @@ private:
     }
     template <class Case>
     std::vector<Row> run_all(const std::vector<Choices>& all, const Case& what) const {
-        check_replaced();
+        for (const auto& [name, choices] : instead_)
+            require_axis(name);
         require(!only_ || *only_ < all.size(), "accuracy: row ", only_.value_or(0), " alone was asked for; the study has ",
                 all.size(), ", counted from 0");
         std::vector<Row> rows;
@@ -288,24 +295,32 @@ private:
     }
 };
 
+namespace detail {
+/// Words in quotation marks, those within them doubled, as CSV has them.
+inline std::string quoted(const std::string& words) {
+    std::string all = "\"";
+    for (const char c : words)
+        all += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return all + "\"";
+}
+} // namespace detail
+
 /// Writes rows as CSV: a column for each axis, then error, least and greatest error, seconds, pair evaluations, front
-/// (1 or 0), failure. Words stand in quotation marks.
+/// (1 or 0), failure. Words stand in quotation marks, and theirs are doubled.
 inline void write(const std::vector<Row>& rows, const std::filesystem::path& path) {
     AtomicFile file(path);
     std::string line;
     if (!rows.empty())
         for (const auto& [axis, value] : rows.front().choices.all())
-            line += "\"" + axis + "\",";
+            line += detail::quoted(axis) + ",";
     file << line + "error,least error,greatest error,seconds [s],pair evaluations,front,failure\n";
     for (const Row& row : rows) {
         line.clear();
         for (const auto& [axis, value] : row.choices.all())
-            line += "\"" + value + "\",";
+            line += detail::quoted(value) + ",";
         for (const double x : {row.error, row.least_error, row.greatest_error, row.seconds, row.pair_evaluations})
             line += text(x) + ",";
-        std::string failure = row.failure;
-        std::replace(failure.begin(), failure.end(), '"', '\'');
-        file << line + (row.on_front ? "1" : "0") + ",\"" + failure + "\"\n";
+        file << line + (row.on_front ? "1" : "0") + "," + detail::quoted(row.failure) + "\n";
     }
     file.commit();
 }

@@ -12,7 +12,7 @@ namespace imbibe {
 /// Differences that die out, of velocity in a block that falls or of density at rest, end as denormal numbers, and each
 /// operation on one costs a processor far more than the usual. In float, the sponge scene has many of them while its water
 /// falls. x86 only; on other machines it does nothing.
-class DenormalsAreZero {
+class [[maybe_unused]] DenormalsAreZero {
 public:
 #if defined(__SSE2__)
     DenormalsAreZero() : before(_mm_getcsr()) { _mm_setcsr(before | results_are_zero | operands_are_zero); }

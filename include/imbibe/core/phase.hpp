@@ -45,11 +45,16 @@ std::string type_name() {
     return std::string(colon == std::string_view::npos ? name : name.substr(colon + 2));
 }
 
-/// The name of phase P among those of a scene: where another one has the same name, as `Body<0>` and `Body<1>` do, with
-/// its number in the list behind it.
-template <class P, class... All>
-std::string name_among(TypeList<All...>) {
-    const std::string name = type_name<P>();
+/// Spells a name as it is.
+struct AsItIs {
+    std::string operator()(std::string name) const { return name; }
+};
+
+/// The name of phase P among those of a scene, as `spelled` has it: where another one has the same name, as `Body<0>` and
+/// `Body<1>` do, with its number in the list behind it.
+template <class P, class... All, class Spelled = AsItIs>
+std::string name_among(TypeList<All...>, const Spelled& spelled = {}) {
+    const std::string name = spelled(type_name<P>());
     int same = 0, number = 0, k = 0;
     const auto count = [&](const std::string& other, bool itself) {
         ++k;
@@ -57,7 +62,7 @@ std::string name_among(TypeList<All...>) {
         if (itself)
             number = k;
     };
-    (count(type_name<All>(), std::is_same_v<All, P>), ...);
+    (count(spelled(type_name<All>()), std::is_same_v<All, P>), ...);
     return same > 1 ? text(name, "_", number) : name;
 }
 

@@ -16,11 +16,11 @@ public:
         : start_{start}, axis_{axis}, radius_{radius}, length_{length} {
         detail::require_finite<3>("Cylinder", "start", start);
         detail::require_finite<3>("Cylinder", "axis", axis);
-        require(axis.norm() > 0, "Cylinder: axis = ", point_text<3>(axis),
+        require(!axis.isZero(0), "Cylinder: axis = ", point_text<3>(axis),
                 " must not be zero. Give any vector along the cylinder.");
         detail::require_positive("Cylinder", "radius", radius, "Give the radius in metres.");
         detail::require_positive("Cylinder", "length", length, "Give the length in metres; turn the axis instead.");
-        axis_.normalize();
+        axis_.stableNormalize(); // also where the squares of its components have no value
     }
 
     [[nodiscard]] const Point<3>& start() const { return start_; } ///< centre of the first end, m

@@ -60,7 +60,7 @@ public:
     /// Right within an eighth of the pore radius, or as 3e7 cells allow for a foam of many pores.
     [[nodiscard]] double pore_width() const {
         const double affordable = std::pow(box_.volume() / 3e7, 1.0 / dim);
-        return widest_passage(*this, dim - 1, std::max(foam_.pore_radius / 12, affordable));
+        return widest_passage(*this, dim - 1, std::max(foam_.pore_radius / 16, affordable));
     }
 
     /// Diameters (m) of the windows inside the box: one for each pair of overlapping balls, the circle in which their

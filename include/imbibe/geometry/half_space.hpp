@@ -16,9 +16,9 @@ public:
     HalfSpace(const Point<dim>& point, const Point<dim>& normal) : point_{point}, normal_{normal} {
         detail::require_finite<dim>("HalfSpace", "point", point);
         detail::require_finite<dim>("HalfSpace", "normal", normal);
-        require(normal.norm() > 0, "HalfSpace: normal = ", point_text<dim>(normal),
+        require(!normal.isZero(0), "HalfSpace: normal = ", point_text<dim>(normal),
                 " must not be zero. Give any vector that points out of the region.");
-        normal_.normalize();
+        normal_.stableNormalize(); // also where the squares of its components have no value
     }
 
     [[nodiscard]] const Point<dim>& point() const { return point_; }   ///< a point on the plane, m

@@ -14,12 +14,14 @@ namespace imbibe {
 
 namespace detail {
 
-/// Replaces f[i] by min_j (f[j] + (i - j)^2) along one line: the lower envelope of parabolas, one pass each way
+/// Replaces f[i] by min_j (f[j] + (i - j)^2 step^2) along one line: the lower envelope of parabolas, one pass each way
 /// (Felzenszwalb and Huttenlocher 2012). Applied along every axis in turn it gives squared distances.
-inline void spread_distance(std::vector<double>& line, std::vector<double>& values, std::vector<double>& starts,
-                            std::vector<std::size_t>& roots) {
+inline void spread_distance(std::vector<double>& line, double step, std::vector<double>& values,
+                            std::vector<double>& starts, std::vector<std::size_t>& roots) {
     const std::size_t n = line.size();
-    values = line;
+    values.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+        values[i] = line[i] / (step * step);
     starts.assign(n + 1, 0.0);
     roots.assign(n, 0);
     const auto meet = [&](std::size_t p, std::size_t q) { // where the parabola of q gets below that of p < q
@@ -41,7 +43,7 @@ inline void spread_distance(std::vector<double>& line, std::vector<double>& valu
         while (piece < top && starts[piece + 1] < static_cast<double>(i))
             ++piece;
         const double offset = static_cast<double>(i) - static_cast<double>(roots[piece]);
-        line[i] = values[roots[piece]] + offset * offset;
+        line[i] = (values[roots[piece]] + offset * offset) * (step * step);
     }
 }
 
@@ -52,9 +54,8 @@ inline void spread_distance(std::vector<double>& line, std::vector<double>& valu
 /// bounds counts as open.
 ///
 /// Found on a lattice of cells of about `cell` metres: distance of every open cell to the solid, then cells joined
-/// from the widest down until the two faces are connected. Right within one and a half cells: up to one too wide,
-/// because distances run between centres of cells, and up to one and a half too narrow where the middle of a pore lies
-/// between them. Takes about 20 bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of
+/// from the widest down until the two faces are connected. Up to two cells too wide, because distances run between
+/// centres of cells, and up to one and a half too narrow where the middle of a pore lies between them. Takes about 20 bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of
 /// range or more than 1e8 cells result.
 template <AnyShape S>
 [[nodiscard]] double widest_passage(const S& solid, int axis, double cell) {
@@ -66,22 +67,23 @@ template <AnyShape S>
 
     std::array<std::size_t, static_cast<std::size_t>(dim)> cells;
     std::array<std::size_t, static_cast<std::size_t>(dim)> stride;
+    std::array<double, static_cast<std::size_t>(dim)> step; // from centre to centre, in units of `cell`: a little below 1
     double total = 1;
     for (int k = 0; k < dim; ++k)
-        total *= std::ceil(box.size()[k] / cell - 1e-6);
+        total *= std::max(std::ceil(box.size()[k] / cell - 1e-6), 1.0);
     require(total <= 1e8, "widest_passage: cell = ", cell, " m makes ", total,
             " cells; at most 1e8 are allowed. Take a larger cell, or a smaller piece of the sponge.");
     std::size_t count = 1;
     for (std::size_t k = 0; k < dim; ++k) {
         cells[k] = static_cast<std::size_t>(std::max(std::ceil(box.size()[static_cast<int>(k)] / cell - 1e-6), 1.0));
+        step[k] = box.size()[static_cast<int>(k)] / static_cast<double>(cells[k]) / cell;
         stride[k] = count;
         count *= cells[k];
     }
     const auto index_along = [&](std::size_t id, std::size_t k) { return id / stride[k] % cells[k]; };
 
     constexpr double far = 1e15; // squared cells; stands for "no solid on this line"
-    std::vector<double> distance(
-        count); // squared, in cells, from the centre of a cell to that of the nearest solid one
+    std::vector<double> distance(count); // squared, in units of `cell`, from a cell's centre to that of the nearest solid one
     for (std::size_t id = 0; id < count; ++id) {
         Point<dim> centre;
         for (std::size_t k = 0; k < dim; ++k) {
@@ -100,7 +102,7 @@ template <AnyShape S>
                 continue;
             for (std::size_t i = 0; i < cells[k]; ++i)
                 line[i] = distance[id + i * stride[k]];
-            detail::spread_distance(line, values, starts, roots);
+            detail::spread_distance(line, step[k], values, starts, roots);
             for (std::size_t i = 0; i < cells[k]; ++i)
                 distance[id + i * stride[k]] = line[i];
         }

@@ -83,9 +83,9 @@ requires(shape_dimension<S> == 3)
     require(std::isfinite(angle), "rotated: angle = ", angle, " rad must be finite. Give the angle in radians.");
     detail::require_finite<3>("rotated", "axis", axis);
     detail::require_finite<3>("rotated", "about", about);
-    require(axis.norm() > 0, "rotated: axis = ", point_text<3>(axis),
+    require(!axis.isZero(0), "rotated: axis = ", point_text<3>(axis),
             " must not be zero. Give any vector along the axis of rotation.");
-    return {shape, Eigen::AngleAxisd{angle, axis.normalized()}.toRotationMatrix(), 1.0, about, Point<3>::Zero()};
+    return {shape, Eigen::AngleAxisd{angle, axis.stableNormalized()}.toRotationMatrix(), 1.0, about, Point<3>::Zero()};
 }
 
 /// The shape enlarged by `factor` (1) about a point (m). Throws Error unless the factor is finite and > 0.

@@ -79,7 +79,7 @@ public:
         const Point<3> corner = box_.lower();
         TriplyPeriodic piece = *this;
         piece.box_ = Box<3>{corner, corner + 2 * sponge_.cell * Point<3>::Ones()};
-        return widest_passage(piece, 2, sponge_.cell / 48);
+        return widest_passage(piece, 2, sponge_.cell / 64);
     }
 
     /// Whether the point is in the solid part.

@@ -36,12 +36,15 @@ double stored_energy(const Solid& solid, const Tensor<double, dim>& F, TypeList<
     return sum;
 }
 
-/// sum_a V_a psi(F_a), J, with the stress-free volumes.
+/// sum_a V_a psi(F_a), J, with the stress-free volumes. A particle whose deformation was not computed yet, which is 0,
+/// counts for nothing.
 template <int dim, class View, class Density>
 double sum_over_deformations(const View& phase, const Density& psi) {
     const auto m = phase[mass];
     const auto F = phase[deformation_gradient];
     return particle_sum(phase, [&](int i) {
+        if (F.row(i).isZero(0))
+            return 0.0;
         Tensor<double, dim> f;
         for (int k = 0; k < f.size; ++k)
             f[k] = static_cast<double>(F(i, k));
@@ -106,8 +109,9 @@ double shear_energy(const View& phase) {
 }
 
 /// sum_a V_a psi(F_a), J: what a total-Lagrangian solid stores, with the energy density psi of its law
-/// (StVenantKirchhoff::stored_energy, NeoHookean::stored_energy). Without hourglass control. Does not compile for a phase
-/// whose terms have none, as those of VolumetricDeviatoric, whose energy is not that of single particles.
+/// (StVenantKirchhoff::stored_energy, NeoHookean::stored_energy); nothing for particles that are not deformed yet, before
+/// their first step. Without hourglass control. Does not compile for a phase whose terms have none, as those of
+/// VolumetricDeviatoric, whose energy is not that of single particles.
 template <int dim, class View>
 double elastic_energy(const View& phase) {
     using Solid = std::remove_cvref_t<decltype(phase.material())>;
@@ -119,8 +123,7 @@ double elastic_energy(const View& phase) {
 }
 
 /// What a phase stores, J, as far as that is known: a total-Lagrangian solid its `elastic_energy`, by NeoHookean's law
-/// where its own says none, and nothing before the first step, when no deformation is computed yet; any other phase
-/// with a density its `compression_energy`, and with a stress rate its `shear_energy`. Without hourglass control and
+/// where its own says none; any other phase with a density its `compression_energy`, and with a stress rate its `shear_energy`. Without hourglass control and
 /// what repulsions store; by `compression_energy` also where the equation of state is not linear.
 template <class View>
 double stored_energy(const View& phase) {
@@ -128,8 +131,6 @@ double stored_energy(const View& phase) {
     using Phase = std::remove_cvref_t<decltype(phase.material())>;
     constexpr int dim = std::remove_cvref_t<decltype(phase[position])>::ColsAtCompileTime;
     if constexpr (State::template stores<DeformationGradientField>) {
-        if (phase[deformation_gradient].isZero(0))
-            return 0;
         if constexpr (detail::has_stored_energy<dim, Phase, typename Phase::terms>)
             return elastic_energy<dim>(phase);
         else

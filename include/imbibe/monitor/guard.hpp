@@ -142,7 +142,7 @@ private:
     void look_at_particles(const Scene& scene) {
         static_assert(Scene::dimension == dim, "imbibe: a Guard is of its scene's dimension");
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
-            look_at(scene, scene[PhaseHandle<P>{}], detail::type_name<P>());
+            look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene));
         });
         scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
         look_at_energy(scene);
@@ -152,7 +152,7 @@ private:
     GuardSettings<dim> settings_;
     struct Balance {
         double energy, kinetic, potential; // kinetic and potential; J
-        long long particles, steps;
+        long long particles, ever, steps;  // how many there are, and were ever added
         double stored = 0; // of what can be released, J; at the first look
     };
     std::optional<Balance> start_; ///< at the first look
@@ -166,15 +166,22 @@ private:
                 const double most = settings_.speed * s.material.sound_speed;
                 const double fastest = scene.engine().template motion<P>().speed;
                 if (s.size() > 0 && most > 0 && fastest > most) {
-                    const auto v = scene[PhaseHandle<P>{}][velocity];
+                    const auto phase = scene[PhaseHandle<P>{}];
+                    const auto v = phase[velocity];
+                    require_finite(scene, phase, name_of<P>(scene), v, "velocity");
                     Eigen::Index i = 0;
                     v.rowwise().squaredNorm().maxCoeff(&i);
-                    stop(scene, Cause::too_fast, detail::type_name<P>(), scene[PhaseHandle<P>{}], static_cast<int>(i),
+                    stop(scene, Cause::too_fast, name_of<P>(scene), phase, static_cast<int>(i),
                          text("moves at ", fastest, " m/s, ", fastest / s.material.sound_speed,
                               " times its sound speed"));
                 }
             }
         });
+    }
+
+    template <class P, class Scene>
+    static std::string name_of(const Scene&) {
+        return detail::name_among<P>(typename Scene::Phases{});
     }
 
     template <class Scene, class View>
@@ -183,12 +190,9 @@ private:
             return;
         using State = std::remove_cvref_t<decltype(phase.state)>;
         const auto x = phase[position];
-        if (!x.allFinite())
-            stop(scene, Cause::not_finite, name, phase, first_not_finite(x), "has a position that is not finite");
+        require_finite(scene, phase, name, x, "position");
         if constexpr (State::template stores<Velocity>)
-            if (!phase[velocity].allFinite())
-                stop(scene, Cause::not_finite, name, phase, first_not_finite(phase[velocity]),
-                     "has a velocity that is not finite");
+            require_finite(scene, phase, name, phase[velocity], "velocity");
         for (int d = 0; d < dim; ++d) {
             const auto k = static_cast<std::size_t>(d);
             if (scene.settings().periodic_length[k] > 0)
@@ -208,12 +212,11 @@ private:
         }
         if constexpr (State::template stores<Density>) {
             const auto rho = phase[density];
+            require_finite(scene, phase, name, rho, "density");
             const double rest = phase.material().density;
             Eigen::Index low = 0, high = 0;
             const double least = static_cast<double>(rho.col(0).minCoeff(&low)) / rest;
             const double most = static_cast<double>(rho.col(0).maxCoeff(&high)) / rest;
-            if (!rho.allFinite())
-                stop(scene, Cause::not_finite, name, phase, first_not_finite(rho), "has a density that is not finite");
             if (least < settings_.least_density || most > settings_.greatest_density) {
                 const bool thin = least < settings_.least_density;
                 stop(scene, Cause::wrong_density, name, phase, static_cast<int>(thin ? low : high),
@@ -222,12 +225,15 @@ private:
             }
         }
     }
-    template <class Field>
-    static int first_not_finite(const Field& field) {
-        for (Eigen::Index i = 0; i < field.rows(); ++i)
-            if (!field.row(i).allFinite())
-                return static_cast<int>(i);
-        return 0;
+    template <class Scene, class View, class Field>
+    void require_finite(const Scene& scene, const View& phase, const std::string& name, const Field& field,
+                        const char* what) const {
+        if (field.allFinite())
+            return;
+        int i = 0;
+        while (field.row(i).allFinite())
+            ++i;
+        stop(scene, Cause::not_finite, name, phase, i, text("has a ", what, " that is not finite"));
     }
 
     // Is a particle that moves among those of a wall? The lists of neighbours are those of the last search.
@@ -247,8 +253,8 @@ private:
                     continue;
                 const double filled = pairs.filled_around(i, link.support, spacing);
                 if (filled > settings_.inside_wall)
-                    stop(scene, Cause::inside_wall, detail::type_name<A>(), scene[PhaseHandle<A>{}], i,
-                         text("is inside ", detail::type_name<B>(), ", whose particles fill ", filled,
+                    stop(scene, Cause::inside_wall, name_of<A>(scene), scene[PhaseHandle<A>{}], i,
+                         text("is inside ", name_of<B>(scene), ", whose particles fill ", filled,
                               " of its surroundings",
                               scene.steps() > 0
                                   ? ": does its density follow the wall, by a continuity term in their coupling? A wall "
@@ -267,7 +273,7 @@ private:
             using B = typename Link::B;
             if constexpr (detail::is_fluid<A> && !detail::is_fluid<B> && !Link::reference)
                 look_at_pores_of(scene, PhaseHandle<B>{}, scene[PhaseHandle<A>{}].material().spacing,
-                                 detail::type_name<A>());
+                                 name_of<A>(scene));
         });
     }
     template <class Scene, class P>
@@ -290,12 +296,12 @@ private:
         std::vector<double> where;
         for (int d = 0; d < dim; ++d)
             where.push_back(found->middle[d] + set.origin[static_cast<std::size_t>(d)]);
-        throw Diverged(text("a pore of phase ", detail::type_name<P>(), " at (", listed(where), ") m is ", found->width,
+        throw Diverged(text("a pore of phase ", name_of<P>(scene), " at (", listed(where), ") m is ", found->width,
                             " m wide, ", found->width / particle, " particles of ", fluid,
                             ", where least_pore asks for ", settings_.least_pore, "; ", moment(scene), fluid,
                             " needs a spacing of at most ", found->width / settings_.least_pore,
                             " m to pass, or the body wider pores"),
-                       Cause::narrow_pore, detail::type_name<P>(), where, scene.time(), scene.steps());
+                       Cause::narrow_pore, name_of<P>(scene), where, scene.time(), scene.steps());
     }
 
     // Internal forces turn kinetic and potential energy into heat or tension and back, but cannot raise their sum above
@@ -304,10 +310,11 @@ private:
     void look_at_energy(const Scene& scene) {
         if (!std::isfinite(settings_.energy) || falls_through_a_period(scene))
             return;
-        Balance now{0, 0, 0, scene.particles(), scene.steps()};
+        Balance now{0, 0, 0, scene.particles(), 0, scene.steps()};
         bool driven = false;
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
             const auto phase = scene[PhaseHandle<P>{}];
+            now.ever += s.ever_added();
             if constexpr (P::moves) {
                 now.kinetic += kinetic_energy(phase);
                 now.potential += potential_energy(phase, scene.settings().gravity);
@@ -318,7 +325,8 @@ private:
         now.energy = now.kinetic + now.potential;
         if (!start_ || driven)
             excess_ = 0;
-        if (!start_ || driven || now.particles != start_->particles) { // what leaves takes its energy along
+        const bool same = start_ && now.particles == start_->particles && now.ever == start_->ever;
+        if (!same || driven) { // what comes and goes brings and takes energy along
             now.stored = !start_ || driven ? stored_in(scene) : start_->stored;
             start_ = now;
             start_->energy -= excess_;

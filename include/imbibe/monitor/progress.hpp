@@ -3,7 +3,9 @@
 
 #include <imbibe/solver/solver.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -61,9 +63,10 @@ public:
         const TimeStepLimit& step =
             cut_off(scene.last_step()) && whole_step_.seconds > 0 ? whole_step_ : scene.last_step();
         const double wall = wall_seconds(), share = end_ > begin_ ? (scene.time() - begin_) / (end_ - begin_) : 1;
+        const int decimals = std::isnormal(end_) ? std::clamp(3 - static_cast<int>(std::log10(end_)), 4, 12) : 4;
         char numbers[120], pace[60];
-        std::snprintf(numbers, sizeof numbers, "%5.1f %%  t %.4f s  step %lld  dt %.2e s (", 100 * share, scene.time(),
-                      static_cast<long long>(scene.steps()), step.seconds);
+        std::snprintf(numbers, sizeof numbers, "%5.1f %%  t %.*f s  step %lld  dt %.2e s (", 100 * share, decimals,
+                      scene.time(), static_cast<long long>(scene.steps()), step.seconds);
         std::snprintf(pace, sizeof pace, ")  %.2f M particle-steps/s  left ", work_ / wall * 1e-6);
         return numbers + step.reason + ", " + step.where + pace +
                (share > 0 ? clock_text(wall * (1 - share) / share) : "?");
@@ -116,7 +119,9 @@ public:
 
 private:
     void take_for_done(double time) {
-        while (next_ * interval_ <= time * (1 + 1e-9))
+        const double until = time * (1 + 1e-9);
+        next_ = std::max(next_, std::floor(until / interval_));
+        for (int k = 0; k < 2 && next_ * interval_ <= until; ++k) // the quotient may have been rounded down
             ++next_;
     }
 

@@ -177,7 +177,7 @@ void write_checkpoint(Scene& scene, const std::filesystem::path& path, const Che
     file.commit_to_disk([&] {
         std::error_code ignored; // where there was none before, or no second name is possible
         std::filesystem::remove(path.string() + ".previous", ignored);
-        std::filesystem::create_hard_link(path, path.string() + ".previous", ignored);
+        std::filesystem::create_hard_link(file.path(), path.string() + ".previous", ignored);
         if (ignored)
             std::filesystem::copy_file(path, path.string() + ".previous", ignored);
     });
@@ -232,11 +232,12 @@ CheckpointNotes restore(Scene& scene, const std::string& all, const std::string&
 template <class Scene>
 CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
-    require(in.is_open() && !std::filesystem::is_directory(path), "checkpoint ", path.string(),
-            ": there is no such file, or it may not be read",
-            std::filesystem::exists(path.string() + ".previous")
-                ? "; the one before it is there, with the ending .previous"
-                : "");
+    std::error_code unknown;
+    if (!in.is_open() || std::filesystem::is_directory(path, unknown))
+        throw Error(text("checkpoint ", path.string(), ": there is no such file, or it may not be read",
+                         std::filesystem::exists(path.string() + ".previous", unknown)
+                             ? "; the one before it is there, with the ending .previous"
+                             : ""));
     const std::string all{std::istreambuf_iterator<char>(in), {}};
     return detail::restore(scene, all, path.string());
 }
@@ -278,7 +279,7 @@ public:
             write_checkpoint(scene, path_, notes());
             written_ = Clock::now();
         }
-        if (now || !written_at_)
+        if (now || !written_at_ || scene.time() < *written_at_) // the scene may have gone back
             written_at_ = scene.time();
         return now;
     }

@@ -37,7 +37,7 @@ class AtomicFile {
 public:
     /// Opens `<path>.tmp`. Throws Error if that cannot be done.
     explicit AtomicFile(std::filesystem::path path)
-        : path_(std::move(path)), temporary_(path_.string() + ".tmp"), out_(temporary_, std::ios::binary) {
+        : path_(behind_links(std::move(path))), temporary_(path_.string() + ".tmp"), out_(temporary_, std::ios::binary) {
         require(out_.is_open(), "cannot write ", path_.string(),
                 ": the file cannot be opened; check that its folder exists and may be written by you");
     }
@@ -61,6 +61,9 @@ public:
         out_.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
         check();
     }
+
+    /// The file that will have its name: where the path is a link, what it stands for.
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
     /// Empties the buffers and gives the file its name. Throws Error when the last bytes cannot be written.
     void commit() {
@@ -86,6 +89,14 @@ private:
         std::filesystem::rename(temporary_, path_, error);
         require(!error, "cannot give ", temporary_.string(), " its name ", path_.string(), ": ", error.message());
         committed_ = true;
+    }
+    // The file that a link stands for: the link stays, and what it names is replaced.
+    static std::filesystem::path behind_links(std::filesystem::path path) {
+        std::error_code unknown;
+        if (!std::filesystem::is_symlink(path, unknown))
+            return path;
+        auto target = std::filesystem::canonical(path, unknown);
+        return unknown ? path : target;
     }
     // Empties the system's buffers of a file or folder. False where the disk refuses what is in them; where the system
     // does not offer this, nothing is lost but that guarantee.
@@ -126,7 +137,8 @@ inline void require_writable(const std::filesystem::path& folder) {
     require(!folder.empty(), "the output folder has no name; choose one, for example \"out\"");
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    require(std::filesystem::is_directory(folder), "cannot create the output folder ", folder.string(), ": ",
+    std::error_code unknown;
+    require(std::filesystem::is_directory(folder, unknown), "cannot create the output folder ", folder.string(), ": ",
             error ? error.message() : "something else has that name", remedy);
 
     const auto trial = folder / ".imbibe_write_test";

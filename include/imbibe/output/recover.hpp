@@ -29,26 +29,46 @@ std::string keep_offending_state(const Scene& scene, const std::filesystem::path
 /// `returned(error)` is told so each time, once the scene is back. Observers see time go back then: `every` calls at
 /// once where it goes back to, and snapshots and tables over time replace what came after.
 /// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up, or there is nothing
-/// good to begin with
+/// good to begin with; at once what an observer throws that is not Diverged, or a disk that takes no more checkpoints:
+/// shorter steps would not help
 template <class Scene, int dim, class Returned, class... Observers>
 void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::filesystem::path& checkpoint,
                      double seconds, int retries, const Returned& returned, Observers&&... observers) {
     Checkpoints checkpoints(checkpoint, seconds);
     guard.look(scene);
     write_checkpoint(scene, checkpoint);
+    bool of_observer = false; // is the error that is on its way one of an observer, and not that the scene diverged?
+    const auto watched = [&of_observer](auto& observer) {
+        return [&](Scene& s) {
+            of_observer = true;
+            try {
+                observer(s);
+            } catch (const Diverged&) {
+                of_observer = false;
+                throw;
+            }
+            of_observer = false;
+        };
+    };
+    const auto look_if_due = [&](Scene& s) {
+        if (checkpoints.due(s))
+            guard.look(s);
+    };
     for (;; --retries)
         try {
-            scene.run_until(end, guard, observers..., [&](Scene& s) {
-                if (checkpoints.due(s))
-                    guard.look(s);
-                checkpoints(s);
-            });
+            scene.run_until(end, guard, watched(observers)..., look_if_due, watched(checkpoints));
             return;
         } catch (const Error& error) {
+            if (of_observer)
+                throw;
             keep_offending_state(scene, checkpoint.string() + ".broken");
             if (retries <= 0)
                 throw;
-            read_checkpoint(scene, checkpoint);
+            try {
+                read_checkpoint(scene, checkpoint);
+            } catch (const Error& unreadable) {
+                throw Error(text(error.what(), "; and the scene cannot go back, because of the ", unreadable.what()));
+            }
             scene.shorten_steps(0.5);
             guard.start_anew();
             returned(error);

@@ -46,10 +46,11 @@ private:
 
     template <class Scene, class P>
     static std::string file_name() {
-        std::string name = detail::name_among<P>(typename Scene::Phases{});
-        for (char& c : name)
-            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        return name;
+        return detail::name_among<P>(typename Scene::Phases{}, [](std::string name) {
+            for (char& c : name)
+                c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            return name;
+        });
     }
     VtkSeries& series(const std::string& name) {
         return series_.try_emplace(name, folder_, name, VtkPrecision::single).first->second;

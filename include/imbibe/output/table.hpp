@@ -68,6 +68,7 @@ public:
         const auto expected = first_line(columns);
         std::string kept, line;
         std::ifstream in(path, std::ios::binary);
+        require(in.is_open(), "cannot continue the table ", path.string(), ": there is no such file, or it may not be read");
         require(static_cast<bool>(std::getline(in, line)) && line == expected, "cannot continue the table ",
                 path.string(), ": its first line is '", line, "' where this run writes '", expected, "'");
         std::size_t found = 0;
@@ -202,11 +203,20 @@ private:
         whole.commit();
         open(std::ios::app);
     }
+    // A row that was refused in its middle is taken back, so that the next one begins a line.
     void write(const std::string& line) {
+        std::error_code unknown;
+        const auto before = std::filesystem::file_size(path_, unknown);
         out_.write(line.data(), static_cast<std::streamsize>(line.size()));
         out_.flush();
-        require(out_.good(), "cannot write the table ", path_.string(),
-                ": the disk refused a row; free space there or choose another folder, then continue the run");
+        if (out_.good())
+            return;
+        out_.close();
+        if (!unknown)
+            std::filesystem::resize_file(path_, before, unknown);
+        out_.open(path_, std::ios::binary | std::ios::app);
+        throw Error(text("cannot write the table ", path_.string(),
+                         ": the disk refused a row; free space there or choose another folder, then continue the run"));
     }
 
     std::filesystem::path path_;

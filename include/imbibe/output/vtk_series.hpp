@@ -78,7 +78,8 @@ private:
     void begin_with(Entries entries) {
         entries_ = std::move(entries);
         begun_ = true;
-        list_names_more_ = std::filesystem::exists(list());
+        std::error_code unknown;
+        list_names_more_ = std::filesystem::exists(list(), unknown);
     }
     void keep_earlier_than(double seconds) {
         if (!begun_)
@@ -105,7 +106,8 @@ private:
             require(line.find(" file=\"" + detail::xml_escaped(name) + "\"") != std::string::npos, "VTK series ",
                     phase_, ": cannot continue ", list().string(), ", which names another file than ", name,
                     " for the time ", seconds, " s", remedy);
-            require(std::filesystem::exists(folder_ / name), "VTK series ", phase_, ": cannot continue ",
+            std::error_code unknown;
+            require(std::filesystem::exists(folder_ / name, unknown), "VTK series ", phase_, ": cannot continue ",
                     list().string(), ", because ", name, ", which it names, is not there", remedy);
             found.emplace_back(seconds, name);
         }

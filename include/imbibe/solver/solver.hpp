@@ -256,7 +256,7 @@ public:
         prepare();
         (observers(*this), ...);
         while (time_ < end * (1 - 1e-12)) {
-            check_numbers(); // observers may change them
+            prepare(); // observers may add particles and change numbers
             TimeStepLimit chosen = next_step();
             const double left = end - time_;
             if (left < chosen.seconds * (1 - 1e-6))

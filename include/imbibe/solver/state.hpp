@@ -98,6 +98,9 @@ public:
             ids[i] = next_id++;
     }
 
+    /// How many particles were ever added.
+    long long ever_added() const { return next_id; }
+
     /// Puts the particles into a new order: particle order[k] moves to k. All components are carried along.
     void reorder(const std::vector<std::uint32_t>& order, int threads) {
         spare.resize(values.size());
