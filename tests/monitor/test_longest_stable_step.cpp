@@ -3,6 +3,7 @@
 
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
+#include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
@@ -37,6 +38,9 @@ struct Leaving : sph::Fluid<Repeller> {};
 struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
 struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {
 };
+struct Brine : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
+struct Gas : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
+struct Interface : sph::Coupling<Brine, Gas, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 struct Body : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
                          sph::TotalLagrangianForce<K>> {};
 
@@ -111,6 +115,25 @@ TEST_CASE("longest_stable_step says so where no step is short enough, and checks
     CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.steps = 5}), contains("steps = 5"));
     CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.growth = 1}), contains("growth = 1"));
     CHECK_THROWS_WITH(sph::longest_stable_step(scene, {.size = 1}), contains("size = 1 spacings"));
+}
+
+TEST_CASE("Phases that weigh each other's masses are as stiff as the ratio of their densities", "[longest]") {
+    constexpr double length = 12 * dx;
+    for (const double density : {500.0, 100.0, 10.0})
+        for (const double support : {2.0, 3.0}) {
+            sph::Solver<2, double, sph::SymplecticEuler, Brine, Gas, Interface> scene(
+                {.support_radius = support * dx, .periodic_length = {length, 0}, .threads = 1});
+            scene.add(Brine{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, 0}, {length, 4 * dx}}, dx), dx);
+            scene.add(Gas{{.density = density, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, -4 * dx}, {length, 0}}, dx),
+                      dx);
+            scene.prepare();
+            const auto limit = scene.time_step_limits().front();
+            CAPTURE(density, support, limit.reason);
+            const double share = sph::longest_stable_step(scene) / limit.seconds;
+            CHECK(share > 1);
+            CHECK(share < 1.7);
+            CHECK((limit.reason == "pressure between phases") == (density < 400));
+        }
 }
 
 } // namespace longest_stable_step_test

@@ -4,6 +4,7 @@
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/solid/xsph.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
@@ -391,6 +392,8 @@ TEST_CASE("Coefficients out of range are refused before the first step", "[scene
     CHECK(scene.steps() == 0);
     scene[handle].material().set(sph::MonaghanViscosityParameters{.alpha = 0.1});
     CHECK_NOTHROW(scene.step());
+    REQUIRE_THROWS_WITH(sph::XsphParameters{.strength = 1.1}.check("Thick"),
+                        imbibe_test::contains("strength = 1.1") && imbibe_test::contains("from 0 to 1"));
 }
 
 TEST_CASE("Points outside the periodic box come into it", "[scene]") {

@@ -35,6 +35,15 @@ TEST_CASE("Tait is the paper's Eq. (8)") {
     CHECK(pressure_at<LinearState>(1000) == 0);
 }
 
+TEST_CASE("What no force moves shows the other's speed of sound, what moves its own") {
+    const Wall<> wall{.density = 1000};
+    CHECK(wall.sound_speed == 1); // which is no sound, but a number that a wall without equation of state has
+    CHECK(detail::mean_sound_speed(water(), wall) == 30);
+    CHECK(detail::mean_sound_speed(wall, water()) == 30);
+    CHECK(detail::mean_sound_speed(water(), sponge()) == Approx(30.8));
+    CHECK(std::isinf(mass_weighted_interface_time_step(water(), wall, {H, 8e-4, 0, 0, 3, 5e-4, 0})));
+}
+
 TEST_CASE("Tait keeps the digits of float near the reference density") {
     const double rho = 1000.0625; // a float without rounding
     CHECK(relative_error(pressure_at<Tait<>, float>(rho), tait_by_hand(rho, 7)) < 1e-6);

@@ -13,9 +13,10 @@
 // it is called for as many particles at once as the machine computes.
 // Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part), `using
 // effect` (what only one term of a phase may be, see below), `using beside_in_couplings` (a term that every coupling
-// must have into the phase, if it has one of that effect), `static constexpr bool one_sided = true;` (it is listed in
-// couplings only, as Into the wall or the solid), `static constexpr bool of_solids = true;` (it asks for the
-// elastic moduli of `Solid`), `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char*
+// must have into the phase, if it has one of that effect), `using corrected_kernel` (the kernel of a gradient, or of its
+// correction; all of a phase are the same), `static constexpr bool one_sided = true;` (it is listed in couplings only,
+// as Into the wall or the solid), `within_phases` (in phases only), `between_fluids` (in phases, and in couplings of two
+// fluids), `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli of `Solid`), `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char*
 // limit_name`. A force that is stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own
 // limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it
 // is.
@@ -36,7 +37,12 @@ namespace imbibe {
 /// listed, would count it twice. A term says `using effect = effects::pressure_force;`.
 namespace effects {
 struct continuity_equation; ///< the rate of the density by the motion
-struct pressure_force;      ///< the force of the pressure's gradient
+struct pressure_force;      ///< the force of the pressure's gradient, or of all of the stress
+struct viscous_force;       ///< that of the physical viscosity
+struct density_diffusion;   ///< what smooths the density over the neighbours
+struct velocity_gradient;   ///< the gradient that rates of stress are made of
+struct stress_rate;         ///< the rate of the deviatoric stress
+struct elastic_force;       ///< that of a total-Lagrangian stress
 } // namespace effects
 
 namespace rules {

@@ -122,6 +122,8 @@ struct ReferenceSurfaceNormal {
 /// normals from the kernel. Pair by pair in this form, and with n_s fading inside: own.
 template <class Kernel = WendlandC2>
 struct SurfaceNormalPressure {
+    using effect = effects::pressure_force;
+    static constexpr bool between_fluid_and_other = true;
     struct Push {
         using reads = Fields<mass, volume, pressure, surface_normal>;
         using adds = Fields<acceleration>;

@@ -36,6 +36,7 @@ constexpr double harmonic_viscosity(const auto& material_a, const auto& material
 /// MorrisViscosity.
 template <class Kernel = WendlandC2>
 struct ClearyViscosity {
+    using effect = effects::viscous_force;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<acceleration>;
 

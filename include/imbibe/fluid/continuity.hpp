@@ -3,6 +3,7 @@
 
 #include <imbibe/core/term.hpp>
 #include <imbibe/fluid/volume.hpp>
+#include <imbibe/state/wave_speed.hpp>
 
 namespace imbibe {
 
@@ -25,6 +26,12 @@ struct Continuity {
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
         return (b[mass] * ab.gradient(Kernel{})) * dot(a[velocity_field] - b[velocity_field], ab.offset);
     }
+
+    static constexpr const char* limit_name = "pressure between phases";
+    /// In a coupling: that of mass_weighted_interface_time_step, s.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        return mass_weighted_interface_time_step(material_a, material_b, in);
+    }
 };
 
 /// drho_a/dt = rho_a sum_b (m_b/rho_b) (v_a - v_b) . grad_a W_ab, in kg/m^3/s.
@@ -36,7 +43,8 @@ struct Continuity {
 /// the other phase needs its own from somewhere: from VolumePressure without `Into`, or from Volume among its terms.
 ///
 /// Not where the density must stay the sum of the masses around a particle to the last digit: over a long run this
-/// form drifts from it.
+/// form drifts from it. Not beside SymmetricPressure between phases whose densities differ by more than a factor of two
+/// (see there).
 ///
 /// Source: Colagrossi and Landrini (2003); the paper, Eq. (22), in the form that is consistent across phases.
 template <class Kernel, auto velocity_field = velocity>

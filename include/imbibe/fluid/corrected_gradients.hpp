@@ -69,6 +69,7 @@ struct CorrectedContinuity {
     using effect = effects::continuity_equation;
     /// A wall that counts in the one sum and not in the other would throw water off.
     using beside_in_couplings = CorrectionNeighbours<Kernel>;
+    using corrected_kernel = Kernel;
     struct Sweep {
         using reads = Fields<density, volume, velocity, gradient_correction>;
         using adds = Fields<density_rate>;
@@ -109,6 +110,8 @@ struct CorrectedContinuity {
 template <class Kernel = WendlandC2>
 struct CorrectedPressure {
     using effect = effects::pressure_force;
+    using beside_in_couplings = CorrectionNeighbours<Kernel>;
+    using corrected_kernel = Kernel;
     struct Push {
         using reads = Fields<mass, volume, pressure, gradient_correction>;
         using adds = Fields<acceleration>;
@@ -150,6 +153,9 @@ struct CorrectedPressure {
 /// are those of the gradients' correction is own.
 template <class Kernel = WendlandC2>
 struct CorrectedViscosity {
+    using effect = effects::viscous_force;
+    using beside_in_couplings = CorrectionNeighbours<Kernel>;
+    using corrected_kernel = Kernel;
     using reads = Fields<mass, density, velocity, gradient_correction>;
     using adds = Fields<acceleration>;
 

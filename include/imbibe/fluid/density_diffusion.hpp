@@ -40,6 +40,8 @@ struct DensityDiffusionParameters {
 /// Source: Molteni and Colagrossi (2009); hydrostatic part: Fourtakas et al. (2019), here linearised.
 template <class Kernel = WendlandC2>
 struct DensityDiffusion {
+    using effect = effects::density_diffusion;
+    static constexpr bool within_phases = true;
     using Parameters = DensityDiffusionParameters;
 
     struct Smooth {

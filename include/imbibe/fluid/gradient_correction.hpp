@@ -28,6 +28,7 @@ struct CurrentCorrectionParameters {
 /// solid count as neighbours. Without that gradients are corrected as if the wall were a free surface.
 template <class Kernel = WendlandC2>
 struct CorrectionNeighbours {
+    using corrected_kernel = Kernel;
     using reads = Fields<mass, density>;
     using adds = Fields<moment_matrix>;
 
@@ -50,6 +51,7 @@ struct CorrectionNeighbours {
 /// Source: Randles and Libersky (1996); Bonet and Lok (1999).
 template <class Kernel = WendlandC2>
 struct CurrentCorrection {
+    using corrected_kernel = Kernel;
     using Parameters = CurrentCorrectionParameters;
 
     struct Invert {
@@ -104,6 +106,9 @@ struct AntuonoDiffusionParameters {
 /// Source: Antuono, Colagrossi, Marrone and Molteni (2010).
 template <class Kernel = WendlandC2>
 struct AntuonoDiffusion {
+    using effect = effects::density_diffusion;
+    using corrected_kernel = Kernel;
+    static constexpr bool within_phases = true;
     /// Its gradient knows nothing of walls that count in the correction.
     using never_in_couplings = CorrectionNeighbours<Kernel>;
     using Parameters = AntuonoDiffusionParameters;

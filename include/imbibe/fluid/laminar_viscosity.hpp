@@ -52,6 +52,7 @@ constexpr double pair_viscosity(const A& a, const B& b) {
 /// difference has the sign that amplifies motion, and 1/rho_b is missing.
 template <class Kernel = ViscosityKernel>
 struct LaminarViscosity {
+    using effect = effects::viscous_force;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<acceleration>;
 

@@ -4,6 +4,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/fluid/pairwise_laplacian.hpp>
+#include <imbibe/state/wave_speed.hpp>
 
 #include <limits>
 
@@ -59,7 +60,7 @@ struct MonaghanViscosity {
         const auto H = ab.support_radius;
         const auto approach = negative_part(dot(a[velocity] - b[velocity], ab.offset));
         const auto away = squared_norm(ab.offset) + sq(0.1 * H);
-        const double c = 0.5 * (a.material.sound_speed + b.material.sound_speed);
+        const double c = detail::mean_sound_speed(a.material, b.material);
         const auto Pi = approach *
                         (((2 * parameters.beta) * sq(H)) * approach - ((2 * parameters.alpha * c) * H) * away) /
                         (away * (away * a[density] + away * b[density]));
@@ -80,7 +81,7 @@ struct MonaghanViscosity {
     /// The same between two phases.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                                   const Parameters& parameters) {
-        const double c = 0.5 * (material_a.sound_speed + material_b.sound_speed);
+        const double c = detail::mean_sound_speed(material_a, material_b);
         const double rate = parameters.alpha * c + 2 * parameters.beta * (in.max_speed + in.other_max_speed);
         constexpr double in_2d = 0.42 * detail::pairwise_laplacian_strength<Kernel, 2>(0.1),
                          in_3d = 0.31 * detail::pairwise_laplacian_strength<Kernel, 3>(0.1);

@@ -49,6 +49,7 @@ constexpr double viscosity_sum(const auto& material_a, const auto& material_b) {
 /// Source: Morris, Fox and Zhu (1997), Eq. (22).
 template <class Kernel = WendlandC2>
 struct MorrisViscosity {
+    using effect = effects::viscous_force;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<acceleration>;
 

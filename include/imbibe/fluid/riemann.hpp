@@ -5,6 +5,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/state/wave_speed.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -19,9 +20,11 @@ inline constexpr PressureOverImpedance pressure_over_impedance{};
 
 namespace detail {
 
-// rho_0 c, kg/(m^2 s).
+// rho_0 c, kg/(m^2 s). Positive also of materials not given yet (-1), with which the compiler tries a term out, so that
+// their sum is not zero.
 constexpr double impedance(const auto& material) {
-    return material.density * material.sound_speed;
+    const double Z = material.density * material.sound_speed;
+    return Z < 0 ? -Z : Z;
 }
 
 // beta = min(eta max(U_L - U_R, 0)/c, 1).
@@ -75,6 +78,7 @@ struct RiemannPressureParameters {
 template <class Kernel = WendlandC2>
 struct RiemannPressure {
     using effect = effects::pressure_force;
+    static constexpr bool between_fluids = true;
     using Parameters = RiemannPressureParameters;
 
     struct Prepare {
@@ -92,7 +96,7 @@ struct RiemannPressure {
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             const double Z_a = detail::impedance(a.material), Z_b = detail::impedance(b.material);
-            const double c = 0.5 * (a.material.sound_speed + b.material.sound_speed);
+            const double c = detail::mean_sound_speed(a.material, b.material);
             const auto approach = -dot(a[velocity] - b[velocity], ab.offset) * ab.inverse_distance();
             const auto beta = detail::riemann_limiter(approach, c, parameters.eta);
             // p* in this form, p_a/Z_a + p_b/Z_b, is the same from both sides to the last bit.
@@ -148,6 +152,7 @@ struct RiemannContinuityParameters {
 template <class Kernel = WendlandC2>
 struct RiemannContinuity {
     using effect = effects::continuity_equation;
+    static constexpr bool between_fluids = true;
     using Parameters = RiemannContinuityParameters;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<density_rate>;

@@ -23,6 +23,7 @@ inline constexpr RawDisplacementGradient raw_displacement_gradient{};
 /// Source: Bonet and Kulasegaram (2002); Vignjevic, Reveles and Campbell (2006).
 template <class Kernel = WendlandC2>
 struct DeformationGradient {
+    using corrected_kernel = Kernel;
     struct Sum {
         using neighbourhood = Reference;
         using reads = Fields<mass, displacement>;

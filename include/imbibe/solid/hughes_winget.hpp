@@ -39,6 +39,7 @@ struct HalfWay {
 /// Source: Hughes and Winget (1980). The density keeps the rate of its own equation.
 template <class When = AfterTheMove>
 struct HughesWingetStress {
+    using effect = effects::stress_rate;
     static constexpr bool of_solids = true;
     using reads = Fields<velocity_gradient, deviatoric_stress>;
     using adds = Fields<deviatoric_stress_rate>;

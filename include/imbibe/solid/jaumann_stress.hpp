@@ -19,6 +19,7 @@ namespace imbibe {
 /// Source: Gray, Monaghan and Swift (2001); the paper, Eqs. (5) to (7), where the trace is printed as
 /// (1/3) delta_ij e_ij (it must be e_kk), and the sum over k covers both spin terms.
 struct JaumannStress {
+    using effect = effects::stress_rate;
     static constexpr bool of_solids = true;
     using reads = Fields<velocity_gradient, deviatoric_stress>;
     using adds = Fields<deviatoric_stress_rate>;

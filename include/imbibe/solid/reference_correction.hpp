@@ -92,6 +92,7 @@ struct ReferenceCorrectionParameters {
 /// Source: Bonet and Lok (1999); Vignjevic, Reveles and Campbell (2006).
 template <class Kernel = WendlandC2>
 struct ReferenceCorrection {
+    using corrected_kernel = Kernel;
     using Parameters = ReferenceCorrectionParameters;
 
     struct Moments {

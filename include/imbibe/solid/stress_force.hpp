@@ -23,6 +23,7 @@ inline constexpr StressOverDensity2 stress_over_density2{};
 /// Source: Gray, Monaghan and Swift (2001); the paper, Eqs. (4) and (15).
 template <class Kernel>
 struct StressForce {
+    using effect = effects::pressure_force;
     struct Prepare {
         using reads = Fields<density, pressure, deviatoric_stress>;
         using sets = Fields<stress_over_density2>;

@@ -16,6 +16,7 @@ namespace imbibe {
 /// Source: Monaghan (1992); the paper, Eq. (21).
 template <class Kernel, auto velocity_field = velocity>
 struct VelocityGradient {
+    using effect = effects::velocity_gradient;
     using reads = Fields<mass, density, velocity_field>;
     using adds = Fields<velocity_gradient>;
 

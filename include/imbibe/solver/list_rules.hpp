@@ -62,6 +62,21 @@ private:
     template <class T, class U>
     static constexpr bool overlap = std::is_void_v<typename Listed<T>::On> || std::is_void_v<typename Listed<U>::On> ||
                                     std::is_same_v<typename Listed<T>::On, typename Listed<U>::On>;
+    template <class C, class Term>
+    static constexpr bool check_coupled_term() {
+        constexpr int fluids = is_fluid<typename C::First> + is_fluid<typename C::Second>;
+        if constexpr (requires { requires Term::within_phases; })
+            return break_rule<rules::NotInCouplings<Term, C, list_it_in_the_phases_only>>();
+        else if constexpr (requires { requires Term::between_fluids && fluids != 2; })
+            return break_rule<rules::NotBetweenFluids<Term, C, use_the_RiemannWall_terms_at_walls_and_solids>>();
+        else if constexpr (requires { requires Term::between_fluid_and_other && fluids == 2; })
+            return break_rule<
+                rules::NotBetweenFluidAndWall<Term, C, use_VolumePressure_or_RiemannPressure_between_fluids>>();
+        else if constexpr (requires { requires Term::between_fluid_and_other && fluids == 0; })
+            return break_rule<rules::NotBetweenFluidAndWall<Term, C, list_it_between_a_fluid_and_a_wall_or_solid>>();
+        else
+            return true;
+    }
     template <class Item, class T>
     static constexpr bool check_term() {
         using Term = typename Listed<T>::Term;
@@ -71,6 +86,8 @@ private:
             return break_rule<rules::NotASolid<Term, Item, give_it_to_a_solid>>();
         else if constexpr (std::is_same_v<Term, T> && requires { requires Term::one_sided; })
             return break_rule<rules::NotInto<Term, Item, write_it_in_a_coupling_as_Into_the_wall_or_solid>>();
+        else if constexpr (IsCoupling<Item>)
+            return check_coupled_term<Item, Term>();
         else
             return true;
     }
@@ -96,9 +113,27 @@ private:
     static constexpr bool check_twos(TypeList<T, Rest...>) {
         return (check_two<Item, T, Rest>() && ...) && check_twos<Item>(TypeList<Rest...>{});
     }
+    // One: the first term before these that has a kernel of the kind, or void.
+    template <class Item, class One>
+    static constexpr bool check_kernels(TypeList<>) {
+        return true;
+    }
+    template <class Item, class One, class T, class... Rest>
+    static constexpr bool check_kernels(TypeList<T, Rest...>) {
+        using Two = typename Listed<T>::Term;
+        if constexpr (!requires { typename Two::corrected_kernel; })
+            return check_kernels<Item, One>(TypeList<Rest...>{});
+        else if constexpr (std::is_void_v<One>)
+            return check_kernels<Item, Two>(TypeList<Rest...>{});
+        else if constexpr (!std::is_same_v<typename One::corrected_kernel, typename Two::corrected_kernel>)
+            return break_rule<rules::TwoKernels<typename One::corrected_kernel, typename Two::corrected_kernel, One, Two,
+                                                Item, give_both_the_same_kernel>>();
+        else
+            return check_kernels<Item, One>(TypeList<Rest...>{});
+    }
     template <class Item, class... T>
     static constexpr bool check_terms(TypeList<T...> list) {
-        return (check_term<Item, T>() && ...) && check_twos<Item>(list);
+        return (check_term<Item, T>() && ...) && check_twos<Item>(list) && check_kernels<Item, void>(list);
     }
     // Has a coupling with these terms one of the effect, or the term itself, that acts on phase P?
     template <class P, class T>

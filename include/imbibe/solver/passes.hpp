@@ -180,10 +180,18 @@ class RowsOfTerms {
         else
             return true;
     }
+    // What a term sets may be a help for others (a volume), but no state: that would lag behind the particles.
+    template <class N, class... F>
+    static constexpr bool check_set(TypeList<F...>) {
+        if constexpr ((F::given || ...))
+            return break_rule<rules::SlowTermOfState<TypeList<F...>, typename N::Term, let_every_short_step_evaluate_it>>();
+        else
+            return true;
+    }
     template <class N>
     static constexpr bool check_row() {
         if constexpr (is_listed<N>())
-            return check_sums<N>(typename N::Adds{});
+            return check_sums<N>(typename N::Adds{}) && check_set<N>(typename N::Sets{});
         else
             return true;
     }

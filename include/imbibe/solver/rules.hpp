@@ -11,6 +11,11 @@ struct add_PressureExtrapolation_to_the_coupling_Into_the_wall;
 struct write_it_in_a_coupling_as_Into_the_wall_or_solid;
 struct remove_one_of_the_two_terms;
 struct list_it_once;
+struct list_it_in_the_phases_only;
+struct use_the_RiemannWall_terms_at_walls_and_solids;
+struct list_it_between_a_fluid_and_a_wall_or_solid;
+struct use_VolumePressure_or_RiemannPressure_between_fluids;
+struct give_both_the_same_kernel;
 struct list_terms_only_and_Into_only_in_couplings;
 struct give_it_to_a_solid;
 struct let_the_part_add_to_the_field;
@@ -75,6 +80,26 @@ struct NeverInCoupling {
 template <class Term, class Where, class Advice>
 struct NotInto {
     static_assert(never<Term>, "imbibe: this term is one of a wall or a solid beside a fluid, and acts on just that");
+};
+/// Rule: a term that compares neighbours of one material (`within_phases`) is one of phases.
+template <class Term, class Coupling, class Advice>
+struct NotInCouplings {
+    static_assert(never<Term>, "imbibe: this term compares neighbours of one material, and is listed in a coupling");
+};
+/// Rule: a term that asks both sides for a fluid's state (`between_fluids`) is of a fluid, or of a coupling of two.
+template <class Term, class Coupling, class Advice>
+struct NotBetweenFluids {
+    static_assert(never<Term>, "imbibe: this term goes between fluids, and a side of this coupling is none");
+};
+/// Rule: a force of walls or solids on fluids (`between_fluid_and_other`) has a fluid on one side, and on the other none.
+template <class Term, class Coupling, class Advice>
+struct NotBetweenFluidAndWall {
+    static_assert(never<Term>, "imbibe: this term goes between a fluid and a wall or a solid");
+};
+/// Rule: gradients and what corrects them are made with one kernel (`corrected_kernel`).
+template <class KernelOne, class KernelTwo, class TermOne, class TermTwo, class Where, class Advice>
+struct TwoKernels {
+    static_assert(never<KernelOne>, "imbibe: a gradient and its correction are made with two kernels");
 };
 /// Rule: a function of a pair adds to fields; there is no one pair that could set one.
 template <class Part, class Term, class Advice>

@@ -18,6 +18,8 @@ namespace imbibe {
 /// Source: Adami, Hu and Adams (2012); see CorrectedViscosity.
 template <class Kernel = WendlandC2>
 struct CorrectedNoSlipViscosity {
+    using effect = effects::viscous_force;
+    using corrected_kernel = Kernel;
     using reads = Fields<mass, density, velocity, no_slip_velocity, gradient_correction>;
     using adds = Fields<acceleration>;
 

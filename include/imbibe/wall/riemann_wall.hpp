@@ -2,21 +2,10 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
-#include <imbibe/core/rule.hpp>
 #include <imbibe/fluid/riemann.hpp>
 #include <imbibe/state/wave_speed.hpp>
 
 namespace imbibe {
-
-struct use_RiemannPressure_between_fluids; // advice
-struct list_it_between_a_fluid_and_a_wall_or_solid;
-namespace rules {
-/// Rule: a force of walls on fluids has a fluid on one side, and on the other none.
-template <class Term, class Advice>
-struct NotBetweenFluidAndWall {
-    static_assert(sizeof(Term) == 0, "imbibe: this term goes between a fluid and a wall or a solid");
-};
-} // namespace rules
 
 /// sum_w V_w grad_f W_fw, 1/m: from a fluid particle into the walls around it, zero where there is none.
 struct WallDirection : Field<Rank::vector> {
@@ -84,6 +73,7 @@ struct RiemannWallPressureParameters {
 template <class Kernel = WendlandC2>
 struct RiemannWallPressure {
     using effect = effects::pressure_force;
+    static constexpr bool between_fluid_and_other = true;
     using Parameters = RiemannWallPressureParameters;
 
     struct Push {
@@ -92,16 +82,9 @@ struct RiemannWallPressure {
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            using A = std::remove_cvref_t<decltype(a)>;
-            using B = std::remove_cvref_t<decltype(b)>;
-            constexpr bool from_fluid = detail::is_fluid<typename A::Material>;
-            if constexpr (from_fluid == detail::is_fluid<typename B::Material>)
-                detail::break_rule<rules::NotBetweenFluidAndWall<
-                    RiemannWallPressure, std::conditional_t<from_fluid, use_RiemannPressure_between_fluids,
-                                                            list_it_between_a_fluid_and_a_wall_or_solid>>>();
             const auto per_mass = 1 / a[mass];
             const auto force = 2 * (a[volume] * b[volume] * ab.gradient(Kernel{}) * per_mass);
-            if constexpr (from_fluid)
+            if constexpr (detail::is_fluid<typename std::remove_cvref_t<decltype(a)>::Material>)
                 return along(ab, -(force * pressure_at_wall(a, b, -dot(ab.gravity(), ab.offset))));
             else
                 return along(ab, -(force * pressure_at_wall(b, a, dot(ab.gravity(), ab.offset))));
