@@ -25,14 +25,14 @@ void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
     std::vector<std::size_t> newest(buckets, nobody);
     std::vector<std::size_t> older(points.size(), nobody);
 
-    using Cell = Eigen::Matrix<std::int64_t, dim, 1>;
+    using CellIndex = Eigen::Matrix<std::int64_t, dim, 1>;
     const auto cell_of = [&](const Point<dim>& point) {
-        Cell result;
+        CellIndex result;
         for (int axis = 0; axis < dim; ++axis)
             result[axis] = static_cast<std::int64_t>(std::floor(point[axis] / cell));
         return result;
     };
-    const auto bucket_of = [&](const Cell& place) {
+    const auto bucket_of = [&](const CellIndex& place) {
         std::uint64_t hash = 0;
         for (int axis = 0; axis < dim; ++axis) {
             hash = (hash ^ static_cast<std::uint64_t>(place[axis])) * 0x9e3779b97f4a7c15ULL;
@@ -51,9 +51,9 @@ void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
             throw Error(text("require_distinct: point ", i, " is at ", point_text<dim>(point),
                              ", too far from the origin for a spacing of ", spacing,
                              " m (at most 1e13 spacings). Give points and spacing in the same unit, metres."));
-        const Cell from = cell_of(point - Point<dim>::Constant(nearest));
-        const Cell to = cell_of(point + Point<dim>::Constant(nearest));
-        Cell place = from;
+        const CellIndex from = cell_of(point - Point<dim>::Constant(nearest));
+        const CellIndex to = cell_of(point + Point<dim>::Constant(nearest));
+        CellIndex place = from;
         for (;;) {
             for (std::size_t j = newest[bucket_of(place)]; j != nobody; j = older[j])
                 if ((points[j] - point).norm() < nearest)
