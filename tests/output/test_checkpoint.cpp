@@ -372,7 +372,7 @@ std::vector<double> listed_times(const std::filesystem::path& list) {
 TEST_CASE("A restarted run goes on with the snapshots and the table of the run before", "[checkpoint]") {
     const auto folder = output_test::fresh("restarted_series");
     const auto table_row = [](sph::Table& table) {
-        return [&table](const auto& s) { table.row({s.time(), static_cast<double>(s.steps())}); };
+        return [&table](const auto& s) { table.row({s.time(), s.steps()}); };
     };
     const std::vector<sph::Column> columns{{"time", "s"}, {"steps"}};
     auto first = make<float>(1000, 1, 1e-3);

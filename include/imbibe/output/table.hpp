@@ -15,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -29,8 +30,17 @@ struct Column {
     std::string unit = {};
 };
 
-/// What stands in one place of a table: a number, or words.
-using Cell = std::variant<double, std::string>;
+/// What stands in one place of a table: a number of any kind, or words.
+struct Cell : std::variant<double, std::string> {
+    /// A number. Whole ones are kept to the last digit up to 2^53.
+    template <class Number>
+    requires std::is_arithmetic_v<Number>
+    Cell(Number number) : variant(static_cast<double>(number)) {}
+    /// Words.
+    Cell(std::string words) : variant(std::move(words)) {}
+    /// Words.
+    Cell(const char* words) : variant(std::string(words)) {}
+};
 
 /// A CSV file that grows by one row at a time. The first line names the columns as `name [unit]`; every row is on disk
 /// when row() returns, and numbers have as many digits as it takes to read the same double back.
@@ -91,10 +101,8 @@ public:
             line += number(value) + ',';
         write_row(line, values.size(), values.empty() ? std::nullopt : std::optional(values.front()));
     }
-    /// Appends one row.
-    void row(std::initializer_list<double> values) { row(std::span<const double>(values.begin(), values.size())); }
-    /// Appends one row of numbers and words. Throws Error for words with a line break or quotation mark in them, too,
-    /// and for words in the place of a time.
+    /// Appends one row of numbers and words: `table.row({scene.time(), scene.steps(), "wet"})`. Throws Error for words with
+    /// a line break or quotation mark in them, too, and for words in the place of a time.
     void row(std::initializer_list<Cell> cells) {
         std::string line;
         for (const Cell& cell : cells) {
