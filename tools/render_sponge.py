@@ -155,8 +155,8 @@ def frame_of(moments, phases):
 
 
 def widened(frame, walls):
-    """The frame with as much of the walls (points, mm) as stands close around it: a tank that is to hold splashes may be
-    three times as high as the water."""
+    """The frame with as much of the walls (points, mm) as stands close around it: a tank that is to hold splashes may
+    be three times as high as the water."""
     low, high = frame
     if walls is None or not len(walls):
         return frame
