@@ -38,8 +38,7 @@ int main(int argc, char** argv) {
                    "wall time between checkpoints, s; 0: one at every search for neighbours")
         ->check(sph::example::Range{0, 1e6, " s"}.only())
         ->capture_default_str();
-    app.add_flag("--restart", output.restart,
-                 "go on from the checkpoint in the output folder; other options as before")
+    app.add_flag("--restart", output.restart, "go on from the checkpoint in the output folder; other options as before")
         ->excludes("--overwrite");
     app.add_flag("--previous", output.previous, "go on from the one before, as where the last is damaged")
         ->needs("--restart");
@@ -63,9 +62,10 @@ int main(int argc, char** argv) {
         sph::example::finish_case(app, numbers);
         if (app.count("--accuracy") > 0) {
             const auto& chosen = sph::presets::set_accuracy(numbers, accuracy);
-            std::printf("Accuracy: %s, water %.3g mm apart; the sponge's mean displacement differs by about %.0f %% from "
-                        "that of the finest run (on a strip, until 0.15 s: docs/accuracy.md)\n\n",
-                        accuracy.c_str(), 1e3 * numbers.water_spacing, 100 * chosen.difference);
+            std::printf(
+                "Accuracy: %s, water %.3g mm apart; the sponge's mean displacement differs by about %.0f %% from "
+                "that of the finest run (on a strip, until 0.15 s: docs/accuracy.md)\n\n",
+                accuracy.c_str(), 1e3 * numbers.water_spacing, 100 * chosen.difference);
         }
         const auto result = sph::example::run_sponge(composition, precision, numbers, end, output);
         sph::example::print_summary(numbers, result, output);

@@ -56,7 +56,8 @@ std::string signature(const Case& c, const std::string& precision) {
     const auto& n = c.numbers;
     return sph::text(c.name, " ", precision, " spacings ", n.water_spacing, " ", n.solid_spacing, " pool ", n.pool,
                      " freeboard ", n.freeboard, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus,
-                     " H of the sponge ", n.solid_support_ratio, " K_f ", n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
+                     " H of the sponge ", n.solid_support_ratio, " K_f ", n.stiffness, " epsilon ", n.artificial_stress,
+                     " step ", n.time_step, " cfl ", n.cfl);
 }
 
 bool says(const std::filesystem::path& path, const std::string& what) {
@@ -73,8 +74,7 @@ int main(int argc, char** argv) {
     std::string study, composition = "sound", precision = "float", folder = "out-study";
     double end = 0.5, snapshots = 25;
     sph::example::SpongeOutput chosen;
-    chosen.ways_on = {"the command that it was begun with goes on",
-                      "--overwrite begins the study anew, for example"};
+    chosen.ways_on = {"the command that it was begun with goes on", "--overwrite begins the study anew, for example"};
 
     CLI::App app{"The sponge with four pore radii, or with four support radii."};
     app.add_option("study", study, "pores or support")->required()->check(CLI::IsMember({"pores", "support"}));
@@ -103,8 +103,8 @@ int main(int argc, char** argv) {
                 std::printf("%s: finished before\n", c.name.c_str());
                 continue;
             }
-            output.restart =
-                says(output.folder / "running.txt", what) && std::filesystem::exists(output.folder / "checkpoint");
+            output.restart = !chosen.overwrite && says(output.folder / "running.txt", what) &&
+                             std::filesystem::exists(output.folder / "checkpoint");
             std::printf("\n==== %s%s ====\n", c.name.c_str(), output.restart ? ", continued" : "");
             if (!output.restart) {
                 sph::example::refuse_to_lose_a_run(output);

@@ -27,10 +27,11 @@ struct Range {
                     return {};
                 const bool inside = (range.with_low ? value >= range.low : value > range.low) &&
                                     (range.with_high ? value <= range.high : value < range.high);
-                return inside ? std::string()
-                              : imbibe::text(value, range.unit, "; it must be ", range.with_low ? "at least " : "above ",
-                                             range.low, " and ", range.with_high ? "at most " : "below ", range.high,
-                                             range.unit, range.why);
+                return inside
+                           ? std::string()
+                           : imbibe::text(value, range.unit, "; it must be ", range.with_low ? "at least " : "above ",
+                                          range.low, " and ", range.with_high ? "at most " : "below ", range.high,
+                                          range.unit, range.why);
             },
             "");
     }
@@ -63,7 +64,8 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
                     "kernel support radius h of the paper's composition, mm");
     app.add_option("--support-ratio", numbers.support_ratio, "support of the water, sound composition, in spacings")
         ->capture_default_str();
-    app.add_option("--sponge-support-ratio", numbers.solid_support_ratio, "of the sponge, sound composition, in spacings")
+    app.add_option("--sponge-support-ratio", numbers.solid_support_ratio,
+                   "of the sponge, sound composition, in spacings")
         ->capture_default_str();
     add_millimetres(app, "--water-spacing", numbers.water_spacing, length,
                     "distance of the water particles, mm; a strip has 0.875 by default");
@@ -98,10 +100,9 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
 }
 
 /// How far a run goes, how often it writes, and whether it may write over another.
-inline void add_output_options(CLI::App& app, double& end, double& snapshots, std::string& folder, SpongeOutput& output) {
-    app.add_option("--end", end, "end time, s")
-        ->check(Range{0, 1000, " s", false, true}.only())
-        ->capture_default_str();
+inline void add_output_options(CLI::App& app, double& end, double& snapshots, std::string& folder,
+                               SpongeOutput& output) {
+    app.add_option("--end", end, "end time, s")->check(Range{0, 1000, " s", false, true}.only())->capture_default_str();
     app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")
         ->check(Range{0, 1e6, " ms"}.only())
         ->capture_default_str();

@@ -89,8 +89,8 @@ std::string changed_since(const std::map<std::string, double>& notes, const pres
             continue;
         const std::string before = shown(option, noted->second), after = shown(option, now);
         require(words_of(option).of_the_scheme, "the run in the folder has ", option, ": ", before, ", this command ",
-                after, "; a run goes on with the physics that it began with: give ", option, " as before, or begin anew ",
-                "in another folder (--output)");
+                after, "; a run goes on with the physics that it began with: give ", option,
+                " as before, or begin anew ", "in another folder (--output)");
         changes += text("From here on ", option, ": ", after, "; until now: ", before, "\n");
     }
     return changes;
@@ -101,8 +101,8 @@ void refuse_to_lose_a_run(const SpongeOutput& output) {
     const bool unfinished = std::filesystem::exists(output.folder / "checkpoint", unknown) &&
                             !std::filesystem::exists(finished_file(output), unknown);
     require(!unfinished || output.overwrite, "the folder ", output.folder.string(), " holds a run to ",
-            unfinished ? time_reached(output.folder / "sponge.csv") : 0.0,
-            " s that has not reached its end; ", output.ways_on.as_before,
+            unfinished ? time_reached(output.folder / "sponge.csv") : 0.0, " s that has not reached its end; ",
+            output.ways_on.as_before,
             " from its last checkpoint, --overwrite begins anew, --output takes another folder");
 }
 
@@ -132,7 +132,9 @@ void print_summary(const presets::SpongeCase& numbers, const SpongeResult& r, co
     std::printf("  over the last 40 %% of the run it hung %.3f mm from where it was.\n", r.late_mean * 1e3);
     const bool long_enough = r.end >= 0.25; // by then much of it has left through wide pores
     std::printf("  %.1f %% of the water went through%s.\n", 100 * r.drained,
-                r.drained >= 0.01 ? "" : long_enough ? ": the pores are closed to it" : " so far");
+                r.drained >= 0.01 ? ""
+                : long_enough     ? ": the pores are closed to it"
+                                  : " so far");
     if (r.spilled > 0)
         std::printf("  %.1f %% jumped over the rim of the tank.\n", 100 * r.spilled);
     std::printf("  Water particles are %s.\n", r.conserved ? "all accounted for" : "MISSING");

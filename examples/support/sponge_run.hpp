@@ -42,8 +42,8 @@ struct SpongeResult {
     double wall_seconds = 0;
     long long steps = 0;
     std::size_t snapshots = 0; ///< that there are of this run
-    bool conserved = false; ///< water in the scene plus water drained is what there was
-    bool stopped = false;   ///< the user wanted the run to end
+    bool conserved = false;    ///< water in the scene plus water drained is what there was
+    bool stopped = false;      ///< the user wanted the run to end
 };
 
 /// Runs one case to `end`, s. Throws Error for bad input before anything is computed; a run that breaks off in the
@@ -65,8 +65,8 @@ SpongeResult run_sponge(const std::string& composition, const std::string& preci
 std::map<std::string, double> numbers_by_option(const presets::SpongeCase& numbers, bool paper);
 
 /// Compares the case with the one that a checkpoint's notes tell of. Returns a sentence for each number of the scheme
-/// that is another from now on (a share of the time step's limit may change in a run), and nothing for a checkpoint that
-/// says nothing of its case. Throws Error, naming the option and both values, where the physics is another.
+/// that is another from now on (a share of the time step's limit may change in a run), and nothing for a checkpoint
+/// that says nothing of its case. Throws Error, naming the option and both values, where the physics is another.
 std::string changed_since(const std::map<std::string, double>& notes, const presets::SpongeCase& numbers, bool paper);
 
 /// Throws Error where the output's folder holds a run that can be gone on with, unless it may be overwritten. Nothing

@@ -87,9 +87,12 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         for (const char* name : {"checkpoint", "checkpoint.previous", "water.pvd", "sponge.pvd", "vessel.pvd",
                                  "snapshots.png", "displacement.png", "drained.png"})
             remove_if_there(output.folder / name);
+        remove_if_there(finished_file(output));
     }
-    remove_if_there(finished_file(output));
-    const std::string report = describe(scene);
+    std::string report = describe(scene);
+    for (const auto& warning : scene.warnings()) // Progress begins with them
+        if (const auto at = report.find("Warning: " + warning + '\n'); at != std::string::npos)
+            report.erase(at, std::string_view("Warning: \n").size() + warning.size());
     if (!output.quiet) {
         std::printf("%s", report.c_str());
         std::printf("Expected wall time: about %s for %g s\n\n", clock_text(estimate_wall_seconds(scene, end)).c_str(),
@@ -121,6 +124,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         output.restart ? Table::resume(path, columns, static_cast<std::size_t>(notes["rows"])) : Table(path, columns);
     Snapshots snapshots(output.folder);
     snapshots.resume(scene, static_cast<std::size_t>(notes["snapshots"]));
+    remove_if_there(finished_file(output)); // not before all is there that a run goes on from
     Progress progress(end, isatty(1) != 0);
     SpongeResult result;
     result.composition = C::name;

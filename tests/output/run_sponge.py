@@ -148,6 +148,7 @@ def check_advice_of_the_paper(folder):
     options = ["--composition", "paper", "--strip", "--pool", 7, "--threads", 1, "--snapshots", 0, "--output", folder]
     code, said = run(*options, "--time-step", 1e-4, "--end", 0.1)
     check(code == 1 and "--restart goes on" in said and "with --time-step 5e-05\n" in said, "too long a step:", said)
+    check(said.count("Warning: Water: the support radius") == 1, "a warning is to be said once:", said)
 
 
 def check_ctrl_c(folder):
