@@ -43,6 +43,8 @@ OptionWords words_of(const std::string& option) {
 std::string shown(const std::string& option, double value) {
     if (option == "--strip")
         return value != 0 ? "given" : "not given";
+    if (value == 0 && (option == "--time-step" || option == "--search-interval"))
+        return "the composition's own";
     return text(value, words_of(option).unit);
 }
 
