@@ -9,6 +9,7 @@
 //   build/sponge --accuracy draft                  coarser water (docs/accuracy.md); also: standard, reference
 //   build/sponge --quick                           one row of pores, a true picture in about a minute
 //   build/sponge --restart                         after Ctrl-C, a crash or a power cut: go on from the last checkpoint
+//   build/sponge --overwrite                       or begin anew; without either, a run that is not finished is kept
 #include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
 
@@ -32,17 +33,13 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"draft", "standard", "reference"}))
         ->excludes("--water-spacing")
         ->excludes("--support-ratio");
-    app.add_option("--end", end, "end time, s")->capture_default_str();
-    app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
+    sph::example::add_output_options(app, end, snapshots, folder, output);
     app.add_option("--checkpoints", output.checkpoint_interval,
-                   "wall time between checkpoints, s; 0: one after every step")
-        ->check(CLI::NonNegativeNumber)
+                   "wall time between checkpoints, s; 0: one at every search for neighbours")
+        ->check(sph::example::Range{0, 1e6, " s"}.only())
         ->capture_default_str();
-    app.add_flag("--restart", output.restart,
-                 "go on from the checkpoint in the output folder; other options as before");
+    app.add_flag("--restart", output.restart, "go on from the checkpoint in the output folder; other options as before")
+        ->excludes("--overwrite");
     app.add_flag("--previous", output.previous, "go on from the one before, as where the last is damaged")
         ->needs("--restart");
     app.add_flag("--quick", quick, "one row of wide pores under 14 mm of water, to 0.12 s");
@@ -55,7 +52,6 @@ int main(int argc, char** argv) {
         numbers.strip = true;
         unless_given("--pool", numbers.pool, 14e-3);
         unless_given("--pore-radius", numbers.pore_radius, 2e-3);
-        unless_given("--water-spacing", numbers.water_spacing, 0.875e-3); // eight to the period of 7 mm
         end = app.count("--end") > 0 ? end : 0.12;
         snapshots = app.count("--snapshots") > 0 ? snapshots : 4;
     }
@@ -63,11 +59,13 @@ int main(int argc, char** argv) {
     output.snapshot_interval = snapshots * 1e-3;
     try {
         sph::example::refuse_options_of_the_other(app, composition);
+        sph::example::finish_case(app, numbers);
         if (app.count("--accuracy") > 0) {
             const auto& chosen = sph::presets::set_accuracy(numbers, accuracy);
-            std::printf("Accuracy: %s, water %.3g mm apart; the sponge's mean displacement differs by about %.0f %% from "
-                        "that of the finest run (on a strip, until 0.15 s: docs/accuracy.md)\n\n",
-                        accuracy.c_str(), 1e3 * numbers.water_spacing, 100 * chosen.difference);
+            std::printf(
+                "Accuracy: %s, water %.3g mm apart; the sponge's mean displacement differs by about %.0f %% from "
+                "that of the finest run (on a strip, until 0.15 s: docs/accuracy.md)\n\n",
+                accuracy.c_str(), 1e3 * numbers.water_spacing, 100 * chosen.difference);
         }
         const auto result = sph::example::run_sponge(composition, precision, numbers, end, output);
         sph::example::print_summary(numbers, result, output);

@@ -7,7 +7,7 @@
 //
 // Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted,
 // or that is wanted to a later --end, goes on from its last checkpoint, and the two studies share the case they have in
-// common.
+// common. An interrupted run is not replaced by one with other options, but with --overwrite.
 #include "support/pictures.hpp"
 #include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
@@ -56,7 +56,8 @@ std::string signature(const Case& c, const std::string& precision) {
     const auto& n = c.numbers;
     return sph::text(c.name, " ", precision, " spacings ", n.water_spacing, " ", n.solid_spacing, " pool ", n.pool,
                      " freeboard ", n.freeboard, " strip ", n.strip, " G ", n.shear_modulus, " E ", n.young_modulus,
-                     " H of the sponge ", n.solid_support_ratio, " K_f ", n.stiffness, " epsilon ", n.artificial_stress, " step ", n.time_step, " cfl ", n.cfl);
+                     " H of the sponge ", n.solid_support_ratio, " K_f ", n.stiffness, " epsilon ", n.artificial_stress,
+                     " step ", n.time_step, " cfl ", n.cfl);
 }
 
 bool says(const std::filesystem::path& path, const std::string& what) {
@@ -72,6 +73,8 @@ int main(int argc, char** argv) {
     sph::presets::SpongeCase numbers;
     std::string study, composition = "sound", precision = "float", folder = "out-study";
     double end = 0.5, snapshots = 25;
+    sph::example::SpongeOutput chosen;
+    chosen.ways_on = {"the command that it was begun with goes on", "--overwrite begins the study anew, for example"};
 
     CLI::App app{"The sponge with four pore radii, or with four support radii."};
     app.add_option("study", study, "pores or support")->required()->check(CLI::IsMember({"pores", "support"}));
@@ -80,9 +83,7 @@ int main(int argc, char** argv) {
     app.remove_option(app.get_option("--pore-radius")); // these are what the studies vary
     app.remove_option(app.get_option("--support"));
     app.remove_option(app.get_option("--support-ratio"));
-    app.add_option("--end", end, "end time, s")->capture_default_str();
-    app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")->capture_default_str();
-    app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
+    sph::example::add_output_options(app, end, snapshots, folder, chosen);
     CLI11_PARSE(app, argc, argv);
 
     const std::filesystem::path root = folder;
@@ -90,28 +91,34 @@ int main(int argc, char** argv) {
     std::vector<std::string> tables, labels;
     try {
         sph::example::refuse_options_of_the_other(app, composition);
+        sph::example::finish_case(app, numbers);
         for (const Case& c : cases_of(study, composition, numbers)) {
-            sph::example::SpongeOutput output;
+            sph::example::SpongeOutput output = chosen;
             output.folder = root / c.name;
             output.snapshot_interval = snapshots * 1e-3;
             const std::string what = signature(c, precision), through = sph::text(what, " to ", end, " s");
             tables.push_back((output.folder / "sponge.csv").string());
             labels.push_back(c.label);
-            if (says(output.folder / "finished.txt", through)) {
+            if (says(sph::example::finished_file(output), through)) {
                 std::printf("%s: finished before\n", c.name.c_str());
                 continue;
             }
-            output.restart =
-                says(output.folder / "running.txt", what) && std::filesystem::exists(output.folder / "checkpoint");
+            output.restart = !chosen.overwrite && says(output.folder / "running.txt", what) &&
+                             std::filesystem::exists(output.folder / "checkpoint");
             std::printf("\n==== %s%s ====\n", c.name.c_str(), output.restart ? ", continued" : "");
-            sph::require_writable(output.folder);
-            if (!output.restart) // before this run says that it is the one in the folder
+            if (!output.restart) {
+                sph::example::refuse_to_lose_a_run(output);
+                output.overwrite = true; // that has been asked
+                // before this run says that it is the one in the folder; half of it must not pass for all of another
                 std::filesystem::remove(output.folder / "checkpoint");
+                std::filesystem::remove(sph::example::finished_file(output));
+            }
+            sph::require_writable(output.folder);
             std::ofstream(output.folder / "running.txt") << what << '\n';
             const auto result = sph::example::run_sponge(composition, precision, c.numbers, end, output);
             sph::example::print_summary(c.numbers, result, output);
             if (result.failure.empty())
-                std::ofstream(output.folder / "finished.txt") << through << '\n';
+                std::ofstream(sph::example::finished_file(output)) << through << '\n';
             else
                 ++failures;
             if (result.stopped)

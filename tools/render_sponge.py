@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures of water and sponge from a run's folder (water.pvd, sponge.pvd and, if there, wall.pvd).
+"""Pictures of water and sponge from a run's folder (water.pvd, sponge.pvd and, if there, vessel.pvd or wall.pvd).
 
     python3 tools/render_sponge.py out/sponge -o snapshots.png
     python3 tools/render_sponge.py out/sponge --times 0 25 50 100 --view cut -o cut.png
@@ -69,8 +69,8 @@ def displacement(now, first):
 def read_moments(folder, times, count):
     """The chosen moments of a run."""
     series = {}
-    for phase in ("water", "sponge", "wall"):
-        path = os.path.join(folder, phase + ".pvd")
+    for phase, name in (("water", "water"), ("sponge", "sponge"), ("wall", "wall"), ("wall", "vessel")):
+        path = os.path.join(folder, name + ".pvd")
         if os.path.exists(path):
             series[phase] = particle_files.read_series(path)
     moving = [phase for phase in ("water", "sponge") if series.get(phase)]
@@ -150,8 +150,19 @@ def frame_of(moments, phases):
                 low = np.minimum(low, np.where(least > most[0] - near, least, most[0]) - edge)
                 high = np.maximum(high, np.where(greatest < most[1] + near, greatest, most[1]) + edge)
     start = np.concatenate([moments[0].points[phase] for phase in phases])
-    more = 0.75 * np.ptp(start, axis=0).max()
+    more = np.ptp(start, axis=0).max()
     return np.maximum(low, start.min(axis=0) - more), np.minimum(high, start.max(axis=0) + more)
+
+
+def widened(frame, walls):
+    """The frame with as much of the walls (points, mm) as stands close around it: a tank that is to hold splashes may
+    be three times as high as the water."""
+    low, high = frame
+    if walls is None or not len(walls):
+        return frame
+    some = 0.1 * (high - low).max()
+    return (np.minimum(low, np.maximum(walls.min(axis=0) - 0.5, low - some)),
+            np.maximum(high, np.minimum(walls.max(axis=0) + 0.5, high + some)))
 
 
 def cut_view(moment, frame, middle, thickness, scales, pixels_per_mm):
@@ -216,9 +227,9 @@ def outside(moment, frame):
 
 
 def draw(moments, arguments):
-    phases = [phase for phase in ("water", "sponge", "wall") if phase in moments[0].points]
-    body = frame_of(moments, [phase for phase in phases if phase != "wall"])
-    frame = frame_of(moments, phases)
+    phases = [phase for phase in ("water", "sponge") if phase in moments[0].points]
+    body = frame_of(moments, phases)
+    frame = widened(body, moments[0].points.get("wall"))
     scales = {"water": scale_for(moments, "water", arguments.speed),
               "sponge": scale_for(moments, "sponge", arguments.displacement)}
     slab = moments[0].points.get("sponge", moments[0].points.get("water"))

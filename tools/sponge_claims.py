@@ -24,10 +24,10 @@ def at(table, column, time):
 
 def mean_over(table, column, begin, end):
     t, y = table["time"][1], table[column][1]
-    if len(t) == 0 or t[-1] < end * (1 - 1e-3):
+    if len(t) == 0 or t[-1] < end * (1 - 1e-3) or end <= begin:
         return None
     inside = (t >= begin) & (t <= end)
-    return float(y[inside].mean())
+    return float(y[inside].mean()) if inside.any() else None
 
 
 def verdict(met):
@@ -41,6 +41,13 @@ def ordered(values, falling):
     return all(a > b for a, b in pairs) if falling else all(a < b for a, b in pairs)
 
 
+def largest_first_smallest_last(values):
+    """Strictly: four that are alike, as four that have not moved, are in no order."""
+    if any(v is None for v in values):
+        return None
+    return values[0] > max(values[1:]) and values[-1] < min(values[:-1])
+
+
 def millimetres(values):
     return ", ".join("-" if v is None else f"{v * 1e3:.3f}" for v in values) + " mm"
 
@@ -52,19 +59,20 @@ def percent(values):
 def claims_on_pores(tables):
     displacement, drained = "mean displacement", "drained fraction"
     end = min(float(t["time"][1][-1]) for t in tables)
-    peaks = [float(t[displacement][1].max()) for t in tables]
+    peaks = [float(t[displacement][1].max()) if t["time"][1][-1] > 0 else None for t in tables]
     whole = [mean_over(t, displacement, 0, end) for t in tables]
     late = [mean_over(t, displacement, 0.6 * end, end) for t in tables]
     through = [at(t, drained, 0.075) for t in tables]
     strain = [at(t, displacement, 0.1) for t in tables]
-    final = [at(t, drained, end) for t in tables]
-    largest_smallest = lambda v: None if None in v else max(v) == v[0] and min(v) == v[-1]
+    final = [at(t, drained, end) if end > 0 else None for t in tables]
     both = lambda a, b: None if a is None or b is None else a > b
     return [
         ("1. Mean displacement is largest for r = 0.5 h, smallest for 2 h: the greatest of the run", millimetres(peaks),
-         verdict(largest_smallest(peaks))),
-        (f"1. the same, mean over the run (0 to {end:.3g} s)", millimetres(whole), verdict(largest_smallest(whole))),
-        (f"1. the same, mean from {0.6 * end:.3g} s to {end:.3g} s", millimetres(late), verdict(largest_smallest(late))),
+         verdict(largest_first_smallest_last(peaks))),
+        (f"1. the same, mean over the run (0 to {end:.3g} s)", millimetres(whole),
+         verdict(largest_first_smallest_last(whole))),
+        (f"1. the same, mean from {0.6 * end:.3g} s to {end:.3g} s", millimetres(late),
+         verdict(largest_first_smallest_last(late))),
         ("2. At 0.075 s more water has passed 2 h than 1.5 h", percent(through), verdict(both(through[3], through[2]))),
         ("2. At 0.1 s the strain (mean displacement) is larger for 1.5 h than for 2 h", millimetres(strain),
          verdict(both(strain[2], strain[3]))),
@@ -73,10 +81,14 @@ def claims_on_pores(tables):
 
 
 def spread(tables, begin, end):
-    """The greatest distance between any two of the curves from begin to end, in units of the greatest displacement."""
+    """The greatest distance between any two of the curves from begin to end, in units of the greatest displacement;
+    None where there is none to compare with."""
+    greatest = max(t["mean displacement"][1].max() for t in tables)
+    if greatest <= 0 or end <= begin:
+        return None
     times = np.linspace(begin, end, 400)
     curves = np.array([np.interp(times, t["time"][1], t["mean displacement"][1]) for t in tables])
-    return float((curves.max(axis=0) - curves.min(axis=0)).max() / max(t["mean displacement"][1].max() for t in tables))
+    return float((curves.max(axis=0) - curves.min(axis=0)).max() / greatest)
 
 
 def claims_on_support(tables):
@@ -84,13 +96,15 @@ def claims_on_support(tables):
     peaks = [float(t["mean displacement"][1].max()) for t in tables]
     until = min(0.15, end)
     early, late = spread(tables, 0, until), spread(tables, 0.15, end) if end > 0.15 else None
-    agree = early < 0.1 if early >= 0.1 or until == 0.15 else None
+    agree = None if early is None else early < 0.1 if early >= 0.1 or until == 0.15 else None
     part = None if late is None else late > early
+    apart = None if early is None else (max(peaks) - min(peaks)) / max(peaks)
     return [
         ("3. Displacements agree until 0.15 s (within 10 % of the greatest)" +
          ("" if until == 0.15 else f": until {until:.3g} s"), percent([early]), verdict(agree)),
-        ("3. and part afterwards" + (f" (0.15 s to {end:.3g} s)" if end > 0.15 else ""), percent([late]), verdict(part)),
-        ("The greatest of each run, spread " + percent([(max(peaks) - min(peaks)) / max(peaks)]), millimetres(peaks), ""),
+        ("3. and part afterwards" + (f" (0.15 s to {end:.3g} s)" if end > 0.15 else ""), percent([late]),
+         verdict(part)),
+        ("The greatest of each run, spread " + percent([apart]), millimetres(peaks), ""),
     ]
 
 

@@ -35,24 +35,47 @@ private:
 /// Thrown by the run's observer when the user wants it to end.
 struct StoppedByUser {};
 
+inline void remove_if_there(const std::filesystem::path& path) {
+    std::error_code none_there;
+    std::filesystem::remove(path, none_there);
+}
+
+/// What to do about a step that was too long, by what chooses it: "with --cfl 0.375".
+template <bool paper>
+std::string shorter_steps(const presets::SpongeCase& numbers) {
+    const double fixed = paper && numbers.time_step == 0 ? 1e-5 : numbers.time_step;
+    return fixed > 0 ? text("with --time-step ", 0.5 * fixed) : text("with --cfl ", 0.5 * numbers.cfl);
+}
+
 template <class C, class Real>
 SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const SpongeOutput& output) {
     using Water = typename C::Water;
     using Sponge = typename C::Sponge;
     require(std::isfinite(end) && end > 0, "end time = ", end, " s; it must be above 0 s");
     numbers.check(); // before a folder is made
+    constexpr bool paper = std::is_same_v<C, presets::PaperSponge>;
+    const auto checkpoint = output.folder / "checkpoint";
+    const auto continued = output.previous ? checkpoint.string() + ".previous" : checkpoint.string();
+    if (output.restart) // before a folder is made
+        require(std::filesystem::exists(checkpoint) || std::filesystem::exists(checkpoint.string() + ".previous"),
+                "there is no checkpoint ", checkpoint.string(), " to go on from; the folder of a run is named by ",
+                "--output, and without --restart one begins");
+    else
+        refuse_to_lose_a_run(output);
     require_writable(output.folder);
 
     auto scene = C::template make<Real>(numbers);
     const auto water = scene.template get<Water>();
     const auto sponge = scene.template get<Sponge>();
     const int water_at_start = water.size();
-    const DisplacementProbe<3> probe(sponge);
-    const auto checkpoint = output.folder / "checkpoint";
+    const DisplacementProbe<3> probe(sponge, scene.settings());
     CheckpointNotes notes;
     if (output.restart) {
         const int sponge_at_start = sponge.size();
-        notes = read_checkpoint(scene, output.previous ? checkpoint.string() + ".previous" : checkpoint.string());
+        notes = read_checkpoint(scene, continued);
+        const std::string changes = changed_since(notes, numbers, paper);
+        if (!output.quiet)
+            std::printf("%s", changes.c_str());
         require(sponge.size() == sponge_at_start && notes["water at start"] == water_at_start, "the checkpoint in ",
                 output.folder.string(), " is of another case: it began with ", notes["water at start"], " water and ",
                 sponge.size(), " sponge particles, this one with ", water_at_start, " and ", sponge_at_start,
@@ -60,11 +83,16 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         require(scene.time() <= end, "the checkpoint in ", output.folder.string(), " was made at t = ", scene.time(),
                 " s, after the end time of ", end, " s; give a later --end");
     } else {
-        std::error_code none_there; // a checkpoint of an earlier run must not be taken for one of this
-        std::filesystem::remove(checkpoint, none_there);
-        std::filesystem::remove(checkpoint.string() + ".previous", none_there);
+        // what is left of an earlier run must not be taken for a part of this
+        for (const char* name : {"checkpoint", "checkpoint.previous", "water.pvd", "sponge.pvd", "vessel.pvd",
+                                 "snapshots.png", "displacement.png", "drained.png"})
+            remove_if_there(output.folder / name);
+        remove_if_there(finished_file(output));
     }
-    const std::string report = describe(scene);
+    std::string report = describe(scene);
+    for (const auto& warning : scene.warnings()) // Progress begins with them
+        if (const auto at = report.find("Warning: " + warning + '\n'); at != std::string::npos)
+            report.erase(at, std::string_view("Warning: \n").size() + warning.size());
     if (!output.quiet) {
         std::printf("%s", report.c_str());
         std::printf("Expected wall time: about %s for %g s\n\n", clock_text(estimate_wall_seconds(scene, end)).c_str(),
@@ -82,6 +110,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                                       {"potential energy of the water", "J"},
                                       {"compression energy of the water", "J"},
                                       {"kinetic energy of the sponge", "J"},
+                                      {"potential energy of the sponge", "J"},
                                       {"elastic energy of the sponge", "J"},
                                       {"momentum along x", "kg m/s"},
                                       {"momentum along y", "kg m/s"},
@@ -95,6 +124,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         output.restart ? Table::resume(path, columns, static_cast<std::size_t>(notes["rows"])) : Table(path, columns);
     Snapshots snapshots(output.folder);
     snapshots.resume(scene, static_cast<std::size_t>(notes["snapshots"]));
+    remove_if_there(finished_file(output)); // not before all is there that a run goes on from
     Progress progress(end, isatty(1) != 0);
     SpongeResult result;
     result.composition = C::name;
@@ -116,6 +146,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                  {"late count", late_count},
                  {"rows", static_cast<double>(row_count)},
                  {"snapshots", static_cast<double>(snapshots.size())}};
+        notes.merge(numbers_by_option(numbers, paper));
         return notes;
     };
 
@@ -150,7 +181,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
         table.row({s.time(), mean, probe.mean_vector(sponge)[2], probe.greatest(sponge),
                    result.drained * water_at_start * particle, result.drained, kinetic_energy(water),
                    potential_energy(water, s.settings().gravity), compression_energy(water), kinetic_energy(sponge),
-                   stored_energy(sponge), all[0], all[1], all[2],
+                   potential_energy(sponge, s.settings().gravity), stored_energy(sponge), all[0], all[1], all[2],
                    water.size() > 0 ? static_cast<double>(water[density].minCoeff()) : 0.0,
                    water.size() > 0 ? static_cast<double>(water[density].maxCoeff()) : 0.0, s.last_step().seconds,
                    s.last_step().reason + ", " + s.last_step().where});
@@ -165,6 +196,14 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     Checkpoints checkpoints(checkpoint, output.checkpoint_interval);
     Guard<3> guard;
     const StopOnSignal stopping;
+    const auto& ways_on = output.ways_on;
+    bool writing = false; // is what goes wrong a matter of files?
+    const auto with_files = [&writing](const auto& work) {
+        writing = true;
+        work();
+        writing = false;
+    };
+    const auto write = [&] { with_files([&] { write_checkpoint(scene, checkpoint, keep_notes()); }); };
     try {
         scene.run_until(end, [&](auto& s) {
             if (s.steps() % 20 == 0)
@@ -174,9 +213,11 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                         ++(in_the_tank(x[0], x[1]) ? left : spilled);
                     return gone;
                 });
-            rows(s);
-            if (output.snapshot_interval > 0)
-                pictures(s);
+            with_files([&] {
+                rows(s);
+                if (output.snapshot_interval > 0)
+                    pictures(s);
+            });
             if (!output.quiet)
                 progress(s);
             if (stop_asked && s.search_is_due()) { // where a checkpoint does not change what comes after it
@@ -186,34 +227,48 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
             guard(s);
             if (checkpoints.due(s))
                 guard.look(s);
-            checkpoints(s, keep_notes);
+            with_files([&] { checkpoints(s, keep_notes); });
             if (s.steps() == 0) // so that there is always one to go back to
-                write_checkpoint(s, checkpoint, keep_notes());
+                write();
         });
         guard.look(scene);
-        write_checkpoint(scene, checkpoint, keep_notes()); // from which the run can go on to a later end
+        write(); // from which the run can go on to a later end
+        with_files([&] {
+            AtomicFile file(finished_file(output));
+            file << text("to ", end, " s\n");
+            file.commit();
+        });
     } catch (const StoppedByUser&) {
-        result.failure = "stopped by the user; --restart goes on from here";
+        result.failure = ways_on.as_before + " from here";
         result.stopped = true;
         try {
-            write_checkpoint(scene, checkpoint, keep_notes());
+            write();
         } catch (const Error& error) {
-            result.failure = std::string("stopped by the user, and no checkpoint could be written: ") + error.what();
+            result.failure = std::string("no checkpoint could be written: ") + error.what();
         }
     } catch (const Error& error) {
-        result.failure = error.what() + keep_offending_state(scene, output.folder / "broken") +
-                         "; --restart goes on from the last checkpoint, which was good, for example with a smaller "
-                         "--cfl";
+        const bool good_one = std::filesystem::exists(checkpoint);
+        result.failure = error.what();
+        if (!writing)
+            result.failure += keep_offending_state(scene, output.folder / "broken");
+        result.failure += "; ";
+        if (!good_one)
+            result.failure += "there is no checkpoint yet, so the run is to begin anew";
+        else if (writing)
+            result.failure += ways_on.as_before + " from the last checkpoint once the folder can be written again";
+        else
+            result.failure += ways_on.in_shorter_steps + ' ' + shorter_steps<paper>(numbers);
     }
     result.drained = below();
     result.end = scene.time();
     result.steps = scene.steps();
+    result.snapshots = snapshots.size();
     result.wall_seconds = progress.wall_seconds();
     result.late_mean = late_count > 0 ? late_sum / late_count : 0;
     result.spilled = static_cast<double>(spilled) / water_at_start;
     result.conserved = water.size() + left + spilled == water_at_start;
 
-    if (output.pictures && output.snapshot_interval > 0) {
+    if (output.pictures && result.snapshots > 0) {
         const std::string folder = output.folder.string();
         draw("render_sponge.py", {folder, "--count", "4", "-o", folder + "/snapshots.png"});
         draw("plot_curves.py",

@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
 """Runs the sponge for a few steps and looks at all it leaves: what it says, its table, its files for ParaView (read by
 VTK itself), its pictures. Then with steps that are far too long, after which it must go on from where it was good. Then
-gives it options it must refuse, before it has written anything.
+gives it options it must refuse, before it has written anything, and lets it meet what an earlier run left in its
+folder. At last the study of its pores, which must not take one run for another, and the judge of its tables.
 
-    python3 tests/output/run_sponge.py build/sponge
+    python3 tests/output/run_sponge.py build/sponge [build/sponge_study]
+
+Without a second name the study is the program sponge_study beside the first.
 """
 import csv
 import os
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -19,6 +24,8 @@ except ImportError as missing:
     sys.exit(f"{missing.name} is missing; install python3-vtk9")
 
 SPONGE = sys.argv[1]
+STUDY = sys.argv[2] if len(sys.argv) > 2 else str(Path(SPONGE).with_name("sponge_study"))
+TOOLS = Path(__file__).resolve().parents[2] / "tools"
 
 
 def check(condition, *words):
@@ -26,8 +33,10 @@ def check(condition, *words):
         sys.exit(" ".join(str(word) for word in ("run_sponge: FAILED:", *words)))
 
 
-def run(*options):
-    done = subprocess.run([SPONGE, *map(str, options)], capture_output=True, text=True, timeout=1500)
+def run(*options, program=SPONGE, tools=True):
+    """Its status and all it said. Without tools it draws no pictures, which takes longer than a short run."""
+    surroundings = os.environ if tools else {**os.environ, "IMBIBE_TOOLS": "none"}
+    done = subprocess.run([program, *map(str, options)], capture_output=True, text=True, timeout=1500, env=surroundings)
     return done.returncode, done.stdout + done.stderr
 
 
@@ -42,11 +51,18 @@ def check_good_run(folder):
     with open(folder / "sponge.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     for column in ("time [s]", "mean displacement [m]", "drained mass [kg]", "kinetic energy of the water [J]",
-                   "elastic energy of the sponge [J]", "momentum along x [kg m/s]", "momentum along z [kg m/s]",
+                   "elastic energy of the sponge [J]", "potential energy of the sponge [J]",
+                   "momentum along x [kg m/s]", "momentum along z [kg m/s]",
                    "greatest density of the water [kg/m^3]", "time step [s]"):
         check(column in rows[0], f"no column '{column}' in", list(rows[0]))
-    check(float(rows[0]["time [s]"]) == 0 and abs(float(rows[-1]["time [s]"]) - 0.004) < 1e-4, "times", rows[0], rows[-1])
+    check(float(rows[0]["time [s]"]) == 0 and abs(float(rows[-1]["time [s]"]) - 0.004) < 1e-4, "times", rows[0],
+          rows[-1])
     check(rows[1]["what limits the time step"] == "elastic wave, Sponge", "limit", rows[1])
+    # the slab's middle is 2 mm above the plane from which heights count, and sinks by the mean of its particles
+    heights = [float(row["potential energy of the sponge [J]"]) for row in rows]
+    sunk = [float(row["mean vertical displacement [m]"]) for row in rows]
+    check(heights[0] > 0 and sunk[-1] < -1e-5, "the sponge is not heavy", heights, sunk)
+    check(abs(heights[-1] / heights[0] - 1 - sunk[-1] / 2e-3) < 1e-3, "height of the sponge", heights, sunk)
     # nothing touches yet: the water's momentum is its weight times the time, and the sponge is held
     fallen = float(rows[-1]["kinetic energy of the water [J]"])
     check(fallen > 0, "the water does not fall")
@@ -69,15 +85,133 @@ def check_good_run(folder):
         check(content.startswith(b"\x89PNG") and len(content) > 10000, picture, "is no picture")
 
 
+def draw_cut(folder, picture):
+    done = subprocess.run([sys.executable, TOOLS / "render_sponge.py", folder, "--view", "cut", "--count", "1", "--dpi",
+                           "40", "-o", picture], capture_output=True, text=True)
+    check(done.returncode == 0, "render_sponge.py:", done.stdout + done.stderr)
+    return picture.read_bytes()
+
+
+def check_tank_is_drawn(folder, scratch):
+    """A picture of the same run without the list of its walls is another picture."""
+    with_tank = draw_cut(folder, scratch / "tank.png")
+    (folder / "vessel.pvd").rename(folder / "hidden")
+    check(draw_cut(folder, scratch / "none.png") != with_tank, "the tank is not drawn")
+    (folder / "hidden").rename(folder / "vessel.pvd")
+
+
+def check_finished_run_is_replaced(folder):
+    """The command of the README twice: the second run takes the folder of the first, and leaves nothing of it that
+    would pass for its own."""
+    check((folder / "finished.txt").read_text() == "to 0.004 s\n", "what says that the run has ended")
+    code, said = run("--quick", "--end", 0.001, "--snapshots", 0, "--threads", 1, "--output", folder)
+    check(code == 0, "the same command twice: exit status", code, said)
+    for name in ("water.pvd", "sponge.pvd", "vessel.pvd", "snapshots.png", "displacement.png", "drained.png"):
+        check(not (folder / name).exists(), name, "of the earlier run is still there")
+    check("ParaView" not in said, "a run without snapshots points at some:\n" + said)
+
+
 def check_stopped_by_its_guard(folder):
-    """Steps that are too long end in a clear word, with the offending state and a good one on disk."""
+    """Steps that are too long end in a clear word, with the offending state and a good one on disk. What is in the
+    folder then is not lost by forgetting --restart, and not gone on with by other physics."""
     common = ["--quick", "--snapshots", 0, "--threads", 1, "--output", folder]
     code, said = run(*common, "--cfl", 2, "--end", 0.1)
     check(code > 0, "steps far too long: exit status", code, said)
-    check("broken" in said and "--restart goes on" in said and "--cfl" in said, "steps far too long:", said)
+    check("BROKE OFF" in said and "broken" in said, "steps far too long:", said)
+    check("--restart goes on from the last checkpoint, which was good, for example with --cfl 1\n" in said,
+          "the advice:", said)
     check(any((folder / "broken").iterdir()), "no offending state in", folder / "broken")
+
+    before = (folder / "checkpoint").read_bytes(), (folder / "sponge.csv").read_bytes()
+    code, said = run(*common, "--cfl", 0.5, "--end", 0.002)
+    check(code == 2, "--restart forgotten: exit status", code, said)
+    for words in (str(folder), "holds a run to 0", "--restart goes on", "--overwrite begins anew"):
+        check(words in said, f"--restart forgotten: '{words}' is not in", said)
+    for option, value, words in (("--young-modulus", 9e4, "--young-modulus: 70000 Pa, this command 90000 Pa"),
+                                 ("--freeboard", 6, "--freeboard: 0 mm, this command 6 mm")):
+        code, said = run(*common, "--end", 0.1, "--restart", option, value)
+        check(code == 2 and words in said, option, "changed in a run:", code, said)
+    check(before == ((folder / "checkpoint").read_bytes(), (folder / "sponge.csv").read_bytes()),
+          "a refused command has changed the run")
+
     code, said = run(*common, "--cfl", 0.5, "--end", 0.002, "--restart")
     check(code == 0 and "all accounted for" in said, "going on with shorter steps:", code, said)
+    check("From here on --cfl: 0.5; until now: 2\n" in said, "a changed number of the scheme:", said)
+
+    (folder / "finished.txt").unlink()
+    code, said = run(*common, "--end", 0.001, "--overwrite")
+    check(code == 0 and (folder / "finished.txt").exists(), "--overwrite:", code, said)
+
+
+def check_advice_of_the_paper(folder):
+    """Its step is fixed, so that another --cfl would be refused."""
+    options = ["--composition", "paper", "--strip", "--pool", 7, "--threads", 1, "--snapshots", 0, "--output", folder]
+    code, said = run(*options, "--time-step", 1e-4, "--end", 0.1)
+    check(code == 1 and "--restart goes on" in said and "with --time-step 5e-05\n" in said, "too long a step:", said)
+    check(said.count("Warning: Water: the support radius") == 1, "a warning is to be said once:", said)
+
+
+def check_ctrl_c(folder):
+    process = subprocess.Popen([SPONGE, "--quick", "--snapshots", "0", "--threads", "1", "--output", folder],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    while not (folder / "checkpoint").exists() and process.poll() is None:
+        time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=300)
+    check(process.returncode == 1 and "Stopped at t = " in said and "--restart goes on from here" in said, said)
+    check("BROKE" not in said, "what the user stops is not broken:", said)
+
+
+def check_study(root):
+    """A run with other options, in the folders of a study that was finished, that does not come to its end: the study
+    with the first options must not judge its tables as its own."""
+    common = ["pores", "--strip", "--pool", 3, "--water-spacing", 1, "--snapshots", 0, "--threads", 1, "--output", root,
+              "--end", 0.002]
+    code, said = run(*common, program=STUDY, tools=False)
+    check(code == 0, "the study: exit status", code, said)
+    code, said = run(*common, program=STUDY, tools=False)
+    check(code == 0 and said.count("finished before") == 4, "the study again:", code, said)
+
+    case = next(root.glob("sound-r0.5-*"))
+    table = (case / "sponge.csv").read_text()
+    process = subprocess.Popen([STUDY, *map(str, common[:-1]), "5", "--young-modulus", "9e4"], stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, text=True)
+    while (not (case / "checkpoint").exists() or "90000" not in (case / "running.txt").read_text()) and \
+            process.poll() is None:
+        time.sleep(0.1)
+    process.kill()
+    process.communicate()
+    check(not (case / "finished.txt").exists(), "a run that was killed passes for finished")
+    code, said = run(*common, program=STUDY, tools=False)
+    check(code == 2 and "--overwrite begins anew" in said and "finished before" not in said,
+          "the study in the folder of an interrupted run with other options:", code, said)
+    code, said = run(*common, "--overwrite", program=STUDY, tools=False)
+    check(code == 0 and said.count("finished before") == 3, "the study, --overwrite:", code, said)
+    check((case / "sponge.csv").read_text() == table, "the table of the study is not what it was")
+    code, said = run("pores", "--snapshots", "nan", "--output", root / "new", program=STUDY)
+    check(code > 0 and "--snapshots: nan ms; it must be" in said, "the study, --snapshots nan:", said)
+
+
+def check_claims(folder):
+    """Orders are strict: four runs that are alike are in none, and runs without a length decide nothing."""
+    folder.mkdir()
+
+    def verdicts(displacements, end):
+        paths = []
+        for k, most in enumerate(displacements):
+            paths.append(folder / f"{k}.csv")
+            times = [0] if end == 0 else [end * i / 20 for i in range(21)]
+            paths[-1].write_text("time [s],mean displacement [m],drained fraction [1]\n" +
+                                 "".join(f"{t},{most * t},0\n" for t in times))
+        done = subprocess.run([sys.executable, TOOLS / "sponge_claims.py", "pores", "sound", *paths],
+                              capture_output=True, text=True)
+        check(done.returncode == 0, "sponge_claims.py:", done.stdout + done.stderr)
+        return [line.split("|")[3].strip() for line in done.stdout.splitlines() if line.startswith("| 1.")]
+
+    check(verdicts([4, 3, 2, 1], 0.2) == ["met"] * 3, "an order that is there is not seen")
+    check(verdicts([4, 4, 2, 1], 0.2) == ["not met"] * 3, "two that are alike pass for ordered")
+    check(verdicts([0, 0, 0, 0], 0.2) == ["not met"] * 3, "four that have not moved pass for ordered")
+    check(all(v.startswith("undecided") for v in verdicts([1, 1, 1, 1], 0)), "runs without a length decide something")
 
 
 def check_refused(root, expected, *options):
@@ -92,13 +226,27 @@ def check_refused(root, expected, *options):
 with tempfile.TemporaryDirectory() as name:
     root = Path(name)
     check_good_run(root / "run")
+    check_tank_is_drawn(root / "run", root)
+    check_finished_run_is_replaced(root / "run")
     check_stopped_by_its_guard(root / "stopped")
+    check_advice_of_the_paper(root / "paper")
+    check_ctrl_c(root / "interrupted")
+    check_study(root / "study")
+    check_claims(root / "claims")
     check_refused(root, ["--nonsense"], "--nonsense")
     check_refused(root, ["--support", "paper"], "--support", 1.3)
     check_refused(root, ["--young-modulus", "sound"], "--composition", "paper", "--young-modulus", 1e5)
     check_refused(root, ["--accuracy", "sound"], "--composition", "paper", "--accuracy", "draft")
     check_refused(root, ["--accuracy", "--water-spacing"], "--accuracy", "draft", "--water-spacing", 1)
-    check_refused(root, ["pore radius", "0.004 m", "3.5e-3"], "--pore-radius", 4)
+    check_refused(root, ["--pore-radius: 4 mm", "below 3.5 mm"], "--pore-radius", 4)
+    check_refused(root, ["--water-spacing: 0.8 mm", "width of 7 mm", "0.875 mm"], "--strip", "--water-spacing", 0.8)
+    check_refused(root, ["--cfl", "--time-step 1e-05 s"], "--cfl", 0.5, "--time-step", 1e-5)
+    check_refused(root, ["--threads: 100000;", "at most 1024"], "--threads", 100000)
+    check_refused(root, ["there is no checkpoint", "--restart", "--output"], "--restart")
+    for option, unit in (("--snapshots", " ms"), ("--checkpoints", " s"), ("--search-interval", " steps"),
+                         ("--threads", "")):
+        for value in (-1, "inf", "nan"):
+            check_refused(root, [f"{option}: {value}{unit}; it must be at least 0"], option, value)
     (root / "file").write_text("in the way")
     os.environ["LC_ALL"] = "C"
     code, said = run("--quick", "--output", root / "file" / "below")
