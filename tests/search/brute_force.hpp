@@ -118,7 +118,8 @@ private:
             whole = whole && run.count() <= width && run.first() + run.count() <= static_cast<std::size_t>(sources.n);
             std::array<int, 3> step{};
             for (int d = 0; d < dim; ++d)
-                step[static_cast<std::size_t>(d)] = imbibe::search::image_step(image, d);
+                if (const auto k = static_cast<std::size_t>(d); periodic.length[k] > 0) // else it is no other place
+                    step[k] = imbibe::search::image_step(image, d);
             for (std::size_t k = 0; k < run.count(); ++k) {
                 const int j = static_cast<int>(run.first() + k);
                 if (!found.insert({j, step}).second)

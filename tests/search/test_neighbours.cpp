@@ -138,6 +138,132 @@ TEMPLATE_TEST_CASE("Two clusters a kilometre apart with a support of a millimetr
     CHECK(grid.cells() <= 8u * 400u + 4096u);
 }
 
+namespace {
+
+// The most points in eight cells one after the other, of which a row around a particle has two to three.
+template <int dim, class Real>
+std::uint32_t most_in_a_support(const Grid<dim>& grid, Cloud<dim, Real>& cloud) {
+    CellTable table;
+    table.sort(grid, cloud.points(), 1);
+    std::uint32_t most = 0;
+    for (std::size_t c = 0; c < grid.cells(); ++c)
+        most = std::max(most, table.start(std::min(c + 8, grid.cells())) - table.start(c));
+    return most;
+}
+
+template <int dim, class Real>
+Grid<dim> fitted(Cloud<dim, Real>& cloud, double support, const Periodic<dim>& periodic = {}) {
+    Grid<dim> grid;
+    grid.fit(imbibe::search::bounds_of(cloud.points(), 1), support, periodic, cloud.n);
+    return grid;
+}
+
+// A body, of which some points have flown away: over every rim and corner, alone, two together, and some only just.
+template <class C>
+CloudOf<C> with_drops(CloudOf<C> cloud, double support, double far_away, unsigned seed) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (int drop = 0; drop < 60; ++drop) {
+        std::array<double, static_cast<std::size_t>(C::dim)> x;
+        const double way = drop % 3 == 2 ? 40 * support : far_away;
+        for (auto& c : x)
+            c = std::round(1.4 * uniform(generator)) * way + uniform(generator) * support;
+        cloud.add(x);
+        for (auto& c : x)
+            c += 0.6 * support * uniform(generator);
+        if (drop % 2 == 0)
+            cloud.add(x);
+    }
+    return cloud;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Drops that have flown far away", "[search]", EVERY_CASE) {
+    constexpr int dim = TestType::dim;
+    const double support = 0.11;
+    for (double far_away : {3e1, 1e3, 4.4e4, 1e6, 1e12, 1e25})
+        for (double side : {0.0, -0.5, 77.0}) {
+            CAPTURE(far_away, side);
+            auto cloud = with_drops<TestType>(random_points<TestType>(300, side, side + 1, 71), support, far_away, 72);
+            const auto c = compare<TestType>(cloud, support);
+            CHECK(c.pairs > cloud.n);
+            compare<TestType>(random_points<TestType>(100, side, side + 1, 73), cloud, support);
+            compare<TestType>(cloud, random_points<TestType>(100, side - 1, side + 2, 74), support);
+            for (std::size_t d = 0; d < dim; ++d)
+                for (double length : {1.3, 500.0}) { // in which drops come back, the others stay away
+                    auto some =
+                        with_drops<TestType>(random_points<TestType>(60, side, side + 1, 75), support, far_away, 76);
+                    Periodic<dim> periodic;
+                    periodic.lower[d] = side;
+                    periodic.length[d] = length;
+                    for (auto& x : some.x[d])
+                        x = imbibe::search::into_period(x, static_cast<typename TestType::Real>(side),
+                                                        static_cast<typename TestType::Real>(length));
+                    compare<TestType>(some, support, periodic);
+                }
+            const auto grid = fitted(cloud, support);
+            CHECK(grid.cells() <= 8u * static_cast<std::size_t>(cloud.n) + 4096u);
+            for (int d = 0; d < dim; ++d)
+                CHECK(grid.width(d) == (d == 0 ? support / 8 : support));
+        }
+}
+
+TEMPLATE_TEST_CASE("What is far away costs the others little", "[search]", (Case<native<double>, 3, double>),
+                   (Case<native<double>, 2, double>)) {
+    constexpr int dim = TestType::dim;
+    const int m = dim == 2 ? 120 : 24;
+    auto body = lattice<dim, double>(m, 1.0, 0);
+    const auto usual = most_in_a_support(fitted(body, 2.6), body);
+    for (double far_away : {1e3, 1e6, -1e9, 1e20}) {
+        CAPTURE(far_away);
+        auto drop = body;
+        std::array<double, dim> at;
+        at.fill(far_away);
+        drop.add(at);
+        CHECK(most_in_a_support(fitted(drop, 2.6), drop) <= usual + 7); // where the cells begin is another matter
+        if (std::abs(far_away) < 1e8) {
+            auto two = body;
+            for (int i = 0; i < body.n; ++i) {
+                for (std::size_t d = 0; d < dim; ++d)
+                    at[d] = body.at(i, static_cast<int>(d)) + far_away;
+                two.add(at);
+            }
+            CHECK(most_in_a_support(fitted(two, 2.6), two) <= 2 * usual + 14);
+        }
+    }
+}
+
+TEST_CASE("The others stay sorted while a drop flies on", "[search]") {
+    auto body = lattice<3, double>(20, 1.0, 300.5);
+    auto drop = body;
+    drop.add({});
+    std::vector<std::uint32_t> order;
+    for (double way = 1e4; way < 1.9e4; way += 700) {
+        CAPTURE(way);
+        for (auto& column : drop.x)
+            column[static_cast<std::size_t>(body.n)] = way;
+        CellTable table;
+        REQUIRE_FALSE(table.sort(fitted(drop, 2.6), drop.points(), 1));
+        auto others = table.order();
+        std::erase(others, static_cast<std::uint32_t>(body.n));
+        CHECK((order.empty() || others == order));
+        order = others;
+    }
+}
+
+TEST_CASE("Neighbours where coordinates have hardly any digits left", "[search]") {
+    // From 2^51 on they are half a metre from each other: exact, but their places in cells would not be.
+    for (int sign : {1, -1}) {
+        Cloud<2, double> cloud = random_cloud<2, double>(100, 0, 4, 81);
+        for (int x = 0; x < 12; ++x)
+            for (int y = 0; y < 12; ++y)
+                cloud.add({sign * (3e15 + 0.5 * x), sign * (2.5e15 + 0.5 * y)});
+        for (double support : {0.51, 0.93})
+            CHECK(compare<Case<native<double>, 2, double>>(cloud, support).pairs > 12 * 12 * 4);
+    }
+}
+
 TEMPLATE_TEST_CASE("Neighbours far from the origin", "[search]", (Case<native<double>, 3, double>),
                    (Case<native<double>, 2, double>), (Case<native<float>, 3, float>), (Case<1, 2, float>)) {
     const double far_away = sizeof(typename TestType::Real) == 4 ? 1e3 : 1e8;

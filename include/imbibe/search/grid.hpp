@@ -1,5 +1,6 @@
 // A grid of cells over all particles: cells as wide as the support radius across, and an eighth of it along x, so
-// that the neighbours of a particle in one row of cells are one contiguous stretch of the sorted order.
+// that the neighbours of a particle in one row of cells are one contiguous stretch of the sorted order. Where that
+// would be far too many cells, the grid is folded: it repeats like a wallpaper, so places far apart share a cell.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -8,8 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace imbibe::search {
@@ -116,8 +119,10 @@ IMBIBE_PER_BUILD Bounds<dim> bounds_of(const Points<dim, Real>& points, int thre
 template <int dim>
 class Grid {
 public:
-    /// Covers `bounds` with cells for neighbours within `support`. Memory is bounded for any extent: where the
-    /// cells would be more than about eight a particle, they are made larger (slower, never wrong).
+    /// Covers `bounds` with cells for neighbours within `support`. Memory is bounded for any extent: where the cells
+    /// would be more than about eight a particle, as when a few drops have flown far away, the longest directions are
+    /// folded. Who shares a cell from afar is told from a neighbour by the distance, like everyone else in it, so that
+    /// is slower only where many do. Periods are not folded: where one is too long, its cells are made larger.
     void fit(const Bounds<dim>& bounds, double support, const Periodic<dim>& periodic, long long particles) {
         periods = periodic;
         const double most = std::min(8.0 * static_cast<double>(particles) + 4096, 4e9); // cells are numbered in 32 bits
@@ -128,27 +133,40 @@ public:
             low[d] = wraps ? periodic.lower[d] : begin(bounds.lower[d], width[d]);
             extent[d] = wraps ? periodic.length[d] : bounds.upper[d] - low[d];
         }
+        const auto supports = [&](std::size_t d) { return extent[d] / width[d] * (d == 0 ? 0.125 : 1); };
+        // Two supports remain at least, so that all the cells around a particle are different ones.
+        const auto can_be_folded = [&](std::size_t d) { return periodic.length[d] == 0 && supports(d) > 4; };
+        folded_.fill(false);
         for (;;) {
             double cells = 1;
             for (std::size_t d = 0; d < dim; ++d)
                 cells *= std::floor(extent[d] / width[d]) + 1;
             if (cells <= most)
                 break;
-            std::size_t longest = 0; // measured in supports
+            std::size_t longest = 0; // of those that can be folded, or else of all
             for (std::size_t d = 1; d < dim; ++d)
-                if (extent[d] / width[d] * (d == 0 ? 0.125 : 1) >
-                    extent[longest] / width[longest] * (longest == 0 ? 0.125 : 1))
+                if (std::pair(can_be_folded(d), supports(d)) > std::pair(can_be_folded(longest), supports(longest)))
                     longest = d;
-            width[longest] *= 2;
+            if (can_be_folded(longest)) { // to a power of two, which does not change with every step of a flying drop
+                const double n = std::ceil(std::min(extent[longest] / width[longest], farthest));
+                extent[longest] = width[longest] * (std::bit_ceil(static_cast<std::uint32_t>(n)) / 2);
+                folded_[longest] = true;
+            } else {
+                width[longest] *= 2;
+            }
         }
         for (std::size_t d = 0; d < dim; ++d) {
             if (periodic.length[d] > 0) {
                 n_[d] = std::max(1, static_cast<int>(extent[d] / width[d]));
                 width[d] = extent[d] / n_[d];
-            } else { // the width may be another now
-                low[d] = begin(bounds.lower[d], width[d]);
-                n_[d] = static_cast<int>(std::floor((bounds.upper[d] - low[d]) / width[d])) + 1;
+            } else if (folded_[d]) {
+                n_[d] = static_cast<int>(extent[d] / width[d]);
+                // Not from the lowest particle on, from which the others may be very far.
+                low[d] = begin(std::clamp(0.0, bounds.lower[d], bounds.upper[d]), n_[d] * width[d]);
+            } else {
+                n_[d] = static_cast<int>(std::floor(extent[d] / width[d])) + 1;
             }
+            wraps_[d] = periodic.length[d] > 0 || folded_[d];
             lower_[d] = low[d];
             width_[d] = width[d];
             inverse_[d] = 1 / width[d];
@@ -160,8 +178,9 @@ public:
     double lower(int d) const { return lower_[static_cast<std::size_t>(d)]; }
     /// The width of a cell along d, m.
     double width(int d) const { return width_[static_cast<std::size_t>(d)]; }
-    /// Is d a periodic direction?
-    bool wraps(int d) const { return periods.length[static_cast<std::size_t>(d)] > 0; }
+    /// Does the first cell along d follow upon the last one? It does in a periodic direction, and in a folded one as if
+    /// its period had no length.
+    bool wraps(int d) const { return wraps_[static_cast<std::size_t>(d)]; }
     /// The period along d, m; 0 where there is none.
     double length(int d) const { return periods.length[static_cast<std::size_t>(d)]; }
     /// The number of cells.
@@ -171,10 +190,21 @@ public:
             product *= static_cast<std::size_t>(k);
         return product;
     }
+    /// Is the grid folded along d, so that places n(d) cells from each other share a cell?
+    bool is_folded(int d) const { return folded_[static_cast<std::size_t>(d)]; }
+    /// The place `at` along d, in cells from the beginning of the grid, as that is folded: from 0 to n(d). What is so
+    /// far away that few digits are left for its place in a cell is moved nearer before. No two come further from each
+    /// other by that, so neighbours stay neighbours.
+    [[gnu::cold]] double fold(int d, double at) const {
+        if (!is_folded(d))
+            return at;
+        at = std::clamp(at, -farthest, farthest);
+        return at - n(d) * std::floor(at / n(d));
+    }
     /// The cell of coordinate x along d; outside the grid, beyond its first or last one.
     int cell(int d, double x) const {
         return static_cast<int>(
-            std::floor((x - lower_[static_cast<std::size_t>(d)]) * inverse_[static_cast<std::size_t>(d)]));
+            std::floor(fold(d, (x - lower_[static_cast<std::size_t>(d)]) * inverse_[static_cast<std::size_t>(d)])));
     }
     /// The numbers of the cells of points [begin, end), to[i] for point i: rows along x, one after the other. Where a
     /// point is outside the grid, that of the cell at its rim.
@@ -183,17 +213,23 @@ public:
         const auto n = n_; // copies, which cannot change while `to` is written: so the loop is one of packs
         const auto lower = lower_, inverse = inverse_;
         const auto x = points.x;
-        // Truncated, not rounded downwards: below the grid both come to cell 0, and processors do it in packs.
-        const auto along = [&](std::size_t d, int i) {
-            const int c = static_cast<int>((static_cast<double>(x[d][i]) - lower[d]) * inverse[d]);
-            return static_cast<std::uint32_t>(c < 0 ? 0 : c < n[d] ? c : n[d] - 1);
+        const auto number = [&](const auto& folded) {
+            // Truncated, not rounded downwards: below the grid both come to cell 0, and processors do it in packs.
+            const auto along = [&](std::size_t d, int i) {
+                const int c = static_cast<int>(folded(d, (static_cast<double>(x[d][i]) - lower[d]) * inverse[d]));
+                return static_cast<std::uint32_t>(c < 0 ? 0 : c < n[d] ? c : n[d] - 1);
+            };
+            for (int i = begin; i < end; ++i) {
+                std::uint32_t row = along(1, i);
+                if constexpr (dim == 3)
+                    row += along(2, i) * static_cast<std::uint32_t>(n[1]);
+                to[i] = row * static_cast<std::uint32_t>(n[0]) + along(0, i);
+            }
         };
-        for (int i = begin; i < end; ++i) {
-            std::uint32_t row = along(1, i);
-            if constexpr (dim == 3)
-                row += along(2, i) * static_cast<std::uint32_t>(n[1]);
-            to[i] = row * static_cast<std::uint32_t>(n[0]) + along(0, i);
-        }
+        if (std::find(folded_.begin(), folded_.end(), true) != folded_.end())
+            number([&](std::size_t d, double at) { return fold(static_cast<int>(d), at); });
+        else
+            number([](std::size_t, double at) { return at; });
     }
 
 private:
@@ -202,7 +238,9 @@ private:
     static double begin(double lower, double width) {
         return std::abs(lower) < 1e15 * width ? std::floor(lower / width) * width : lower;
     }
+    static constexpr double farthest = 0x1p30; ///< cells
     Periodic<dim> periods;
+    std::array<bool, static_cast<std::size_t>(dim)> folded_{}, wraps_{};
     std::array<int, static_cast<std::size_t>(dim)> n_{};
     std::array<double, static_cast<std::size_t>(dim)> lower_{}, width_{}, inverse_{};
 };

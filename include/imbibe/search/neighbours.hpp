@@ -103,7 +103,7 @@ public:
         std::array<const Real*, static_cast<std::size_t>(dim)> at;
         for (std::size_t d = 0; d < at.size(); ++d) {
             at[d] = target_x[d] + begin;
-            if (const int k = static_cast<int>(d); cells.wraps(k)) {
+            if (const int k = static_cast<int>(d); cells.length(k) > 0) {
                 for (std::size_t i = 0; i < n; ++i)
                     wrapped[d][i] =
                         into_period(at[d][i], static_cast<Real>(cells.lower(k)), static_cast<Real>(cells.length(k)));

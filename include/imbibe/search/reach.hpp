@@ -4,6 +4,8 @@
 #include <imbibe/core/vector.hpp>
 #include <imbibe/search/rows.hpp>
 
+#include <functional>
+
 namespace imbibe::search::detail {
 
 /// Some particles as the grid sees them. Lengths are in cells along x.
@@ -23,17 +25,23 @@ struct IMBIBE_PER_BUILD PlacesInCells {
             const double lower = grid.lower(d), inverse = 1 / grid.width(d);
             const double width = std::min(grid.width(d) / grid.width(0), 1e9); // squared it is not infinite in float
             const auto& from = place[static_cast<std::size_t>(d)];
-            for (std::size_t k = 0; k < n; ++k) {
-                const double at = (static_cast<double>(from[k]) - lower) * inverse, whole = std::floor(at);
-                const double inside = at - whole;
-                cell[d][k] = static_cast<std::int32_t>(whole);
-                if (d == 0) {
-                    x[k] = static_cast<float>(inside);
-                } else {
-                    below[d - 1][k] = static_cast<float>(sq(inside * width));
-                    above[d - 1][k] = static_cast<float>(sq((1 - inside) * width));
+            const auto take_along = [&](const auto& fold) {
+                for (std::size_t k = 0; k < n; ++k) {
+                    const double at = fold((static_cast<double>(from[k]) - lower) * inverse), whole = std::floor(at);
+                    const double inside = at - whole;
+                    cell[d][k] = static_cast<std::int32_t>(whole);
+                    if (d == 0) {
+                        x[k] = static_cast<float>(inside);
+                    } else {
+                        below[d - 1][k] = static_cast<float>(sq(inside * width));
+                        above[d - 1][k] = static_cast<float>(sq((1 - inside) * width));
+                    }
                 }
-            }
+            };
+            if (grid.is_folded(d)) [[unlikely]]
+                take_along([&](double at) { return grid.fold(d, at); });
+            else
+                take_along(std::identity{});
         }
     }
 };
