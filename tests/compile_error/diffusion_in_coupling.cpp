@@ -8,7 +8,8 @@
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 struct Oil : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
-struct Interface : sph::Coupling<Water, Oil, sph::Continuity<K>, sph::DensityDiffusion<K>, sph::SymmetricPressure<K>> {};
+struct Interface : sph::Coupling<Water, Oil, sph::Continuity<K>, sph::DensityDiffusion<K>, sph::SymmetricPressure<K>> {
+};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Oil, Interface>;
 
 int main() {

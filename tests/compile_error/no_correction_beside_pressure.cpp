@@ -7,7 +7,8 @@
 #include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
-struct Water : sph::Fluid<sph::Tait<>, sph::CurrentCorrection<K>, sph::VolumeContinuity<K>, sph::CorrectedPressure<K>> {};
+struct Water : sph::Fluid<sph::Tait<>, sph::CurrentCorrection<K>, sph::VolumeContinuity<K>, sph::CorrectedPressure<K>> {
+};
 struct Tank : sph::Wall<> {};
 struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::CorrectedPressure<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Sides>;

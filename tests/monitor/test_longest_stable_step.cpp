@@ -123,9 +123,10 @@ TEST_CASE("Phases that weigh each other's masses are as stiff as the ratio of th
         for (const double support : {2.0, 3.0}) {
             sph::Solver<2, double, sph::SymplecticEuler, Brine, Gas, Interface> scene(
                 {.support_radius = support * dx, .periodic_length = {length, 0}, .threads = 1});
-            scene.add(Brine{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, 0}, {length, 4 * dx}}, dx), dx);
-            scene.add(Gas{{.density = density, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, -4 * dx}, {length, 0}}, dx),
+            scene.add(Brine{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, 0}, {length, 4 * dx}}, dx),
                       dx);
+            scene.add(Gas{{.density = density, .sound_speed = 10}},
+                      sph::fill(sph::Box<2>{{0, -4 * dx}, {length, 0}}, dx), dx);
             scene.prepare();
             const auto limit = scene.time_step_limits().front();
             CAPTURE(density, support, limit.reason);

@@ -129,8 +129,8 @@ public:
         axes_.emplace_back(name, choices);
         return *this;
     }
-    /// On this axis take these choices in place of those it was or is going to be added with, and of those of an earlier
-    /// `instead`: for a program whose user chooses. A run throws Error if the axis never came.
+    /// On this axis take these choices in place of those it was or is going to be added with, and of those of an
+    /// earlier `instead`: for a program whose user chooses. A run throws Error if the axis never came.
     /// @throws Error for no choices, and for an axis that is there already as `axis` does
     Study& instead(const std::string& name, const std::vector<std::string>& choices) {
         require(!choices.empty(), "accuracy: no choices are given for the axis '", name, "'");
@@ -227,8 +227,8 @@ private:
         std::vector<std::string> known;
         for (const auto& [name, choices] : axes_)
             known.push_back(name);
-        require(std::find(known.begin(), known.end(), wanted) != known.end(), "accuracy: the case has no axis '", wanted,
-                "'; it has ", listed(known));
+        require(std::find(known.begin(), known.end(), wanted) != known.end(), "accuracy: the case has no axis '",
+                wanted, "'; it has ", listed(known));
     }
     static std::string listed(const std::vector<std::string>& words) {
         std::string all;

@@ -50,8 +50,8 @@ struct AsItIs {
     std::string operator()(std::string name) const { return name; }
 };
 
-/// The name of phase P among those of a scene, as `spelled` has it: where another one has the same name, as `Body<0>` and
-/// `Body<1>` do, with its number in the list behind it.
+/// The name of phase P among those of a scene, as `spelled` has it: where another one has the same name, as `Body<0>`
+/// and `Body<1>` do, with its number in the list behind it.
 template <class P, class... All, class Spelled = AsItIs>
 std::string name_among(TypeList<All...>, const Spelled& spelled = {}) {
     const std::string name = spelled(type_name<P>());

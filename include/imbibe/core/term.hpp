@@ -4,22 +4,28 @@
 // `using parts = Parts<...>`. A part is
 //   - a particle function  (a) -> values, with `reads`, and `sets` and/or `adds`, or
 //   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`.
-// Besides its fields a particle has `material`, `gravity()` and `time_step`, s: by how much states are advanced with the
-// rates that are being computed; 0 for what is computed once, and where an integrator does not advance them by these
-// rates alone (MidpointRungeKutta, PredictorCorrector).
+// Besides its fields a particle has `material`, `gravity()` and `time_step`, s: by how much states are advanced with
+// the rates that are being computed; 0 for what is computed once, and where an integrator does not advance them by
+// these rates alone (MidpointRungeKutta, PredictorCorrector).
+//
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
 // `static constexpr bool once = true;` (evaluated when the particles are added, not in every step), and, of a particle
 // function, `static constexpr bool in_packs = true;`: like a pair function it asks nothing of its numbers by `if`, so
 // it is called for as many particles at once as the machine computes.
-// Optional members of a term: `struct Parameters`, `using stores = Fields<...>;` (fields without a part), `using
-// effect` (what only one term of a phase may be, see below), `using beside_in_couplings` (a term that every coupling
-// must have into the phase, if it has one of that effect), `using corrected_kernel` (the kernel of a gradient, or of its
-// correction; all of a phase are the same), `static constexpr bool one_sided = true;` (it is listed in couplings only,
-// as Into the wall or the solid), `within_phases` (in phases only), `between_fluids` (in phases, and in couplings of two
-// fluids), `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli of `Solid`), `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char*
-// limit_name`. A force that is stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own
-// limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it
-// is.
+//
+// Optional members of a term:
+//   - `struct Parameters`, and `using stores = Fields<...>;` for fields without a part;
+//   - `using effect`: what only one term of a phase may be, see below;
+//   - `using beside_in_couplings`: a term that every coupling must have into the phase, if it has one of that effect;
+//     `using never_in_couplings`: one that none may have;
+//   - `using corrected_kernel`: the kernel of a gradient, or of its correction; all of a phase are the same;
+//   - where it may be listed, each `static constexpr bool ... = true;`: `within_phases` (not in couplings), `one_sided`
+//     (in couplings, as Into the wall or the solid), `between_fluids` (in phases, and in couplings of two fluids),
+//     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli
+//     of `Solid`);
+//   - `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`. A force
+//     that is stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on
+//     accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
 #pragma once
 
 #include <imbibe/core/field.hpp>

@@ -95,8 +95,8 @@ struct KernelRepulsion {
     /// largest K_f V_a V_b |d2W/dr2| on the way from the rim. For Spiky in 3D and a pair that comes from afar this is
     /// k = 90 K_f V_a V_b delta/(pi H^6) with the penetration delta = H (pi H^3 m v^2/(30 K_f V_a V_b))^(1/3) <= H.
     /// Infinite where nothing moves and nothing is in reach. A particle that rests on several at once is held by all of
-    /// them: water on a soft solid with K_f = 1e8 Pa bears half of this (longest_stable_step), which is still more than the
-    /// default CFL number takes.
+    /// them: water on a soft solid with K_f = 1e8 Pa bears half of this (longest_stable_step), which is still more than
+    /// the default CFL number takes.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                                   const Parameters& parameters) {
         const double volume_a = std::pow(in.spacing, in.dimension), mass_a = material_a.density * volume_a;

@@ -55,8 +55,9 @@ inline void spread_distance(std::vector<double>& line, double step, std::vector<
 ///
 /// Found on a lattice of cells of about `cell` metres: distance of every open cell to the solid, then cells joined
 /// from the widest down until the two faces are connected. Up to two cells too wide, because distances run between
-/// centres of cells, and up to one and a half too narrow where the middle of a pore lies between them. Takes about 20 bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of
-/// range or more than 1e8 cells result.
+/// centres of cells, and up to one and a half too narrow where the middle of a pore lies between them. Takes about 20
+/// bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of range or more than 1e8 cells
+/// result.
 template <AnyShape S>
 [[nodiscard]] double widest_passage(const S& solid, int axis, double cell) {
     constexpr int dim = shape_dimension<S>;
@@ -67,7 +68,7 @@ template <AnyShape S>
 
     std::array<std::size_t, static_cast<std::size_t>(dim)> cells;
     std::array<std::size_t, static_cast<std::size_t>(dim)> stride;
-    std::array<double, static_cast<std::size_t>(dim)> step; // from centre to centre, in units of `cell`: a little below 1
+    std::array<double, static_cast<std::size_t>(dim)> step; // from centre to centre, in units of `cell`: up to 1
     double total = 1;
     for (int k = 0; k < dim; ++k)
         total *= std::max(std::ceil(box.size()[k] / cell - 1e-6), 1.0);
@@ -83,7 +84,8 @@ template <AnyShape S>
     const auto index_along = [&](std::size_t id, std::size_t k) { return id / stride[k] % cells[k]; };
 
     constexpr double far = 1e15; // squared cells; stands for "no solid on this line"
-    std::vector<double> distance(count); // squared, in units of `cell`, from a cell's centre to that of the nearest solid one
+    // From a cell's centre to that of the nearest solid one, squared, in units of `cell`.
+    std::vector<double> distance(count);
     for (std::size_t id = 0; id < count; ++id) {
         Point<dim> centre;
         for (std::size_t k = 0; k < dim; ++k) {

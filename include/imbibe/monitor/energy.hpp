@@ -109,8 +109,8 @@ double shear_energy(const View& phase) {
 }
 
 /// sum_a V_a psi(F_a), J: what a total-Lagrangian solid stores, with the energy density psi of its law
-/// (StVenantKirchhoff::stored_energy, NeoHookean::stored_energy); nothing for particles that are not deformed yet, before
-/// their first step. Without hourglass control. Does not compile for a phase whose terms have none, as those of
+/// (StVenantKirchhoff::stored_energy, NeoHookean::stored_energy); nothing for particles that are not deformed yet,
+/// before their first step. Without hourglass control. Does not compile for a phase whose terms have none, as those of
 /// VolumetricDeviatoric, whose energy is not that of single particles.
 template <int dim, class View>
 double elastic_energy(const View& phase) {
@@ -123,8 +123,9 @@ double elastic_energy(const View& phase) {
 }
 
 /// What a phase stores, J, as far as that is known: a total-Lagrangian solid its `elastic_energy`, by NeoHookean's law
-/// where its own says none; any other phase with a density its `compression_energy`, and with a stress rate its `shear_energy`. Without hourglass control and
-/// what repulsions store; by `compression_energy` also where the equation of state is not linear.
+/// where its own says none; any other phase with a density its `compression_energy`, and with a stress rate its
+/// `shear_energy`. Without hourglass control and what repulsions store; by `compression_energy` also where the equation
+/// of state is not linear.
 template <class View>
 double stored_energy(const View& phase) {
     using State = std::remove_cvref_t<decltype(phase.state)>;

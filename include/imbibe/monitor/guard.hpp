@@ -253,15 +253,15 @@ private:
                     continue;
                 const double filled = pairs.filled_around(i, link.support, spacing);
                 if (filled > settings_.inside_wall)
-                    stop(scene, Cause::inside_wall, name_of<A>(scene), scene[PhaseHandle<A>{}], i,
-                         text("is inside ", name_of<B>(scene), ", whose particles fill ", filled,
-                              " of its surroundings",
-                              scene.steps() > 0
-                                  ? ": does its density follow the wall, by a continuity term in their coupling? A wall "
-                                    "that is moved needs its velocity with its places. A KernelRepulsion over 0.8 "
-                                    "spacings keeps the two apart, a higher sound speed lets less water in"
-                                  : ", before the first step: the two phases overlap as they were added; fill one only "
-                                    "where the other is not"));
+                    stop(
+                        scene, Cause::inside_wall, name_of<A>(scene), scene[PhaseHandle<A>{}], i,
+                        text("is inside ", name_of<B>(scene), ", whose particles fill ", filled, " of its surroundings",
+                             scene.steps() > 0
+                                 ? ": does its density follow the wall, by a continuity term in their coupling? A wall "
+                                   "that is moved needs its velocity with its places. A KernelRepulsion over 0.8 "
+                                   "spacings keeps the two apart, a higher sound speed lets less water in"
+                                 : ", before the first step: the two phases overlap as they were added; fill one only "
+                                   "where the other is not"));
             }
         }
     }

@@ -37,7 +37,8 @@ class AtomicFile {
 public:
     /// Opens `<path>.tmp`. Throws Error if that cannot be done.
     explicit AtomicFile(std::filesystem::path path)
-        : path_(behind_links(std::move(path))), temporary_(path_.string() + ".tmp"), out_(temporary_, std::ios::binary) {
+        : path_(behind_links(std::move(path))), temporary_(path_.string() + ".tmp"),
+          out_(temporary_, std::ios::binary) {
         require(out_.is_open(), "cannot write ", path_.string(),
                 ": the file cannot be opened; check that its folder exists and may be written by you");
     }

@@ -34,8 +34,7 @@ struct Column {
 struct Cell : std::variant<double, std::string> {
     /// A number. Whole ones are kept to the last digit up to 2^53.
     template <class Number>
-    requires std::is_arithmetic_v<Number>
-    Cell(Number number) : variant(static_cast<double>(number)) {}
+    requires std::is_arithmetic_v<Number> Cell(Number number) : variant(static_cast<double>(number)) {}
     /// Words.
     Cell(std::string words) : variant(std::move(words)) {}
     /// Words.
@@ -78,7 +77,8 @@ public:
         const auto expected = first_line(columns);
         std::string kept, line;
         std::ifstream in(path, std::ios::binary);
-        require(in.is_open(), "cannot continue the table ", path.string(), ": there is no such file, or it may not be read");
+        require(in.is_open(), "cannot continue the table ", path.string(),
+                ": there is no such file, or it may not be read");
         require(static_cast<bool>(std::getline(in, line)) && line == expected, "cannot continue the table ",
                 path.string(), ": its first line is '", line, "' where this run writes '", expected, "'");
         std::size_t found = 0;
@@ -101,8 +101,8 @@ public:
             line += number(value) + ',';
         write_row(line, values.size(), values.empty() ? std::nullopt : std::optional(values.front()));
     }
-    /// Appends one row of numbers and words: `table.row({scene.time(), scene.steps(), "wet"})`. Throws Error for words with
-    /// a line break or quotation mark in them, too, and for words in the place of a time.
+    /// Appends one row of numbers and words: `table.row({scene.time(), scene.steps(), "wet"})`. Throws Error for words
+    /// with a line break or quotation mark in them, too, and for words in the place of a time.
     void row(std::initializer_list<Cell> cells) {
         std::string line;
         for (const Cell& cell : cells) {

@@ -26,10 +26,10 @@ constexpr double lame_lambda(const auto& material) {
 // directions at once. The factors lie below the exact limits, 2 over the highest frequency, of free cubes and squares
 // (tests/terms/test_total_lagrangian.cpp, which says how far above they are for bodies three particles thick),
 // and not where particles are placed at random. The greatest speed is in the limit because a speed near that of sound
-// means strains near one, at which the laws stiffen; a body that is held at such strains and hardly moves is stiffer than
-// this knows: by longest_stable_step a neo-Hookean one bears 0.63 of it squeezed to 0.35 of its length both ways and 0.36
-// squeezed to 0.25, St. Venant and Kirchhoff's 0.71 stretched to the double and 0.46 to the threefold. `thinness` is how much more gradients are corrected where the body
-// is thickest than inside a large one.
+// means strains near one, at which the laws stiffen; a body that is held at such strains and hardly moves is stiffer
+// than this knows: by longest_stable_step a neo-Hookean one bears 0.63 of it squeezed to 0.35 of its length both ways
+// and 0.36 squeezed to 0.25, St. Venant and Kirchhoff's 0.71 stretched to the double and 0.46 to the threefold.
+// `thinness` is how much more gradients are corrected where the body is thickest than inside a large one.
 double elastic_wave_limit(const auto& material, const TimeStepInput& in, double thinness = 1) {
     const double lambda = lame_lambda(material), r = in.support_radius / in.spacing;
     const double bulky = std::max(lambda / (lambda + 2 * material.shear_modulus), 0.0); // nu/(1 - nu)

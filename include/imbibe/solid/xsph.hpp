@@ -8,8 +8,9 @@ namespace imbibe {
 
 /// Coefficients of Xsph.
 struct XsphParameters {
-    /// How far the velocity goes towards the mean of its neighbours: 0 not at all, 1 all the way. 0.5 in the paper. With
-    /// XsphTransport well below 1: at 1 velocities that alternate from particle to particle grow, whatever the step.
+    /// How far the velocity goes towards the mean of its neighbours: 0 not at all, 1 all the way. 0.5 in the paper.
+    /// With XsphTransport well below 1: at 1 velocities that alternate from particle to particle grow, whatever the
+    /// step.
     double strength = 0.5;
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message

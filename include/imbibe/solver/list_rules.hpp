@@ -126,8 +126,8 @@ private:
         else if constexpr (std::is_void_v<One>)
             return check_kernels<Item, Two>(TypeList<Rest...>{});
         else if constexpr (!std::is_same_v<typename One::corrected_kernel, typename Two::corrected_kernel>)
-            return break_rule<rules::TwoKernels<typename One::corrected_kernel, typename Two::corrected_kernel, One, Two,
-                                                Item, give_both_the_same_kernel>>();
+            return break_rule<rules::TwoKernels<typename One::corrected_kernel, typename Two::corrected_kernel, One,
+                                                Two, Item, give_both_the_same_kernel>>();
         else
             return check_kernels<Item, One>(TypeList<Rest...>{});
     }

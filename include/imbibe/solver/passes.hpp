@@ -184,7 +184,8 @@ class RowsOfTerms {
     template <class N, class... F>
     static constexpr bool check_set(TypeList<F...>) {
         if constexpr ((F::given || ...))
-            return break_rule<rules::SlowTermOfState<TypeList<F...>, typename N::Term, let_every_short_step_evaluate_it>>();
+            return break_rule<
+                rules::SlowTermOfState<TypeList<F...>, typename N::Term, let_every_short_step_evaluate_it>>();
         else
             return true;
     }

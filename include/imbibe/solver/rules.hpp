@@ -91,7 +91,7 @@ template <class Term, class Coupling, class Advice>
 struct NotBetweenFluids {
     static_assert(never<Term>, "imbibe: this term goes between fluids, and a side of this coupling is none");
 };
-/// Rule: a force of walls or solids on fluids (`between_fluid_and_other`) has a fluid on one side, and on the other none.
+/// Rule: a force of walls or solids on fluids (`between_fluid_and_other`) has a fluid on one side only.
 template <class Term, class Coupling, class Advice>
 struct NotBetweenFluidAndWall {
     static_assert(never<Term>, "imbibe: this term goes between a fluid and a wall or a solid");

@@ -75,9 +75,10 @@ double interface_time_step(const auto& material_a, const auto& material_b, const
 /// max(least spacing, 0.6 H)/(0.4 c rho_heavy/rho_light + v), s, with the greatest speed of sound c of the fluids (of
 /// both, where none is one) and v of the particles: the limit on steps of two phases that push each other by
 /// SymmetricPressure and count each other's masses by Continuity. These forms weigh a neighbour with its mass where
-/// VolumePressure takes its volume, so the light side is as stiff as the ratio of the densities, not its root. The longest
-/// step that holds is 1.05 to 1.54 times this: water on fluids and solids of its density to a hundredth of it, in two and
-/// three dimensions, supports of 2 and 3 spacings, WendlandC2 and Spiky (by longest_stable_step, once, not kept).
+/// VolumePressure takes its volume, so the light side is as stiff as the ratio of the densities, not its root. The
+/// longest step that holds is 1.05 to 1.54 times this: water on fluids and solids of its density to a hundredth of it,
+/// in two and three dimensions, supports of 2 and 3 spacings, WendlandC2 and Spiky (by longest_stable_step, once, not
+/// kept).
 double mass_weighted_interface_time_step(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
     using A = std::remove_cvref_t<decltype(material_a)>;
     using B = std::remove_cvref_t<decltype(material_b)>;

@@ -12,10 +12,11 @@ namespace imbibe {
 /// moment, so that a fluid needs one sweep an evaluation where SymplecticEuler needs two. Not for undamped waves, which
 /// grow by (c k dt)^4/8 a step: give the scene a viscosity or density diffusion, and a shorter step than
 /// SymplecticEuler's. Neighbours are found once a step: pairs that come within reach during its first half are missed
-/// for the second, at the rim, where compact kernels are near zero, some of them by one of the two only: momentum is kept
-/// to 1e-8 of what there is in 200 steps of water, to less where a stiff KernelRepulsion acts, and to round-off with
-/// Settings::search_interval above 1, whose skin the pairs are looked for in. Terms that ask for the length of the step see 0:
-/// HughesWingetStress is JaumannStress here.
+/// for the second, at the rim, where compact kernels are near zero, some of them by one of the two only: momentum is
+/// kept to 1e-7 of what there is in 200 steps of water, worse where a stiff KernelRepulsion acts, and to round-off with
+/// Settings::search_interval above 1, whose skin the pairs are looked for in. Terms that ask for the length of the step
+/// see 0: HughesWingetStress is JaumannStress here.
+///
 /// Source: Runge (1895).
 struct MidpointRungeKutta {
     /// What is evaluated in a step, for reports.

@@ -10,8 +10,9 @@ namespace imbibe {
 ///
 /// The cheapest step there is: one evaluation, and rates and forces of one moment in one sweep where the terms allow
 /// it. Of second order in dt. Not for undamped waves, which grow slowly, nor for long steps: give the scene a viscosity
-/// or density diffusion, and a shorter step than SymplecticEuler's. Neighbours are found before the half step: what that
-/// does to momentum is said at MidpointRungeKutta.
+/// or density diffusion, and a shorter step than SymplecticEuler's. Neighbours are found before the half step: what
+/// that does to momentum is said at MidpointRungeKutta.
+///
 /// Source: Monaghan (1994), "Simulating free surface flows with SPH".
 struct PredictorCorrector {
     /// What is evaluated in a step, for reports.
