@@ -133,9 +133,10 @@ public:
             low[d] = wraps ? periodic.lower[d] : begin(bounds.lower[d], width[d]);
             extent[d] = wraps ? periodic.length[d] : bounds.upper[d] - low[d];
         }
-        const auto supports = [&](std::size_t d) { return extent[d] / width[d] * (d == 0 ? 0.125 : 1); };
-        // Two supports remain at least, so that all the cells around a particle are different ones.
-        const auto can_be_folded = [&](std::size_t d) { return periodic.length[d] == 0 && supports(d) > 4; };
+        const auto length = [&](std::size_t d) { // in supports, behind whether to fold it before a period's cells grow
+            const double supports = extent[d] / width[d] * (d == 0 ? 0.125 : 1);
+            return std::pair(periodic.length[d] == 0 && supports > 16, supports);
+        };
         folded_.fill(false);
         for (;;) {
             double cells = 1;
@@ -143,16 +144,16 @@ public:
                 cells *= std::floor(extent[d] / width[d]) + 1;
             if (cells <= most)
                 break;
-            std::size_t longest = 0; // of those that can be folded, or else of all
+            std::size_t longest = 0; // of more than seven supports, since the cells are more than 4096
             for (std::size_t d = 1; d < dim; ++d)
-                if (std::pair(can_be_folded(d), supports(d)) > std::pair(can_be_folded(longest), supports(longest)))
+                if (length(d) > length(longest))
                     longest = d;
-            if (can_be_folded(longest)) { // to a power of two, which does not change with every step of a flying drop
+            if (periodic.length[longest] > 0) {
+                width[longest] *= 2;
+            } else { // to four supports or more, and a power of two, which is the same for many steps of a flying drop
                 const double n = std::ceil(std::min(extent[longest] / width[longest], farthest));
                 extent[longest] = width[longest] * (std::bit_ceil(static_cast<std::uint32_t>(n)) / 2);
                 folded_[longest] = true;
-            } else {
-                width[longest] *= 2;
             }
         }
         for (std::size_t d = 0; d < dim; ++d) {
