@@ -137,6 +137,35 @@ TEST_CASE("What an observer adds to a run is prepared as what a host adds betwee
     CHECK((run(std::true_type{}) == run(std::false_type{})));
 }
 
+TEST_CASE("Drops that are far away change nothing for the others", "[hosts]") {
+    struct Pond : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
+    const auto run = [](double far_away) {
+        const double spacing = 0.01;
+        sph::Solver<2, double, sph::SymplecticEuler, Pond> scene(
+            {.support_radius = 2.6 * spacing, .time_step = 1e-4, .search_interval = 3, .threads = 2});
+        auto points = sph::fill(sph::Box<2>({0, 0}, {0.6, 0.6}), spacing);
+        const std::size_t count = points.size();
+        if (far_away > 0) {
+            points.push_back({far_away, far_away}); // in the list of cells they are where others are
+            points.push_back({far_away, far_away + spacing});
+            points.push_back({-far_away, far_away});
+        }
+        const auto pond = scene.add(Pond{{.density = 1000, .sound_speed = 20}}, points, spacing);
+        const Eigen::MatrixXd x = scene[pond][sph::position];
+        scene[pond][sph::velocity].col(0) = (x.col(1) * 40).array().sin().matrix();
+        for (int k = 0; k < 10; ++k)
+            scene.step();
+        Eigen::MatrixXd places(static_cast<Eigen::Index>(count), 2);
+        for (int i = 0; i < scene[pond].size(); ++i)
+            if (const auto id = scene[pond].ids()[static_cast<std::size_t>(i)]; id < count)
+                places.row(id) = scene[pond][sph::position].row(i);
+        return places;
+    };
+    const Eigen::MatrixXd alone = run(0);
+    for (const double far_away : {1e2, 1e5, 1e9})
+        CHECK((run(far_away) - alone).cwiseAbs().maxCoeff() < 1e-12);
+}
+
 TEST_CASE("Gravity may change during a run", "[hosts]") {
     sph::Solver<2, double, sph::SymplecticEuler, Water> scene(settings());
     const auto drop = scene.add(water, {{0, 0}}, dx);
