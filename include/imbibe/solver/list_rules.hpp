@@ -151,28 +151,36 @@ private:
     static constexpr bool has_term_on(TypeList<T...>) {
         return ((acts_on<P, T> && std::is_same_v<typename Listed<T>::Term, Term>) || ...);
     }
+    // Has coupling C a term of the same effect on phase P as `Term`, and not what that needs beside it?
     template <class C, class P, class Term>
-    static constexpr bool check_beside() {
-        if constexpr (requires { typename Term::beside_in_couplings; }) {
-            using Needed = typename Term::beside_in_couplings;
-            if constexpr (has_effect_on<P, typename Term::effect>(typename C::terms{}) &&
-                          !has_term_on<P, Needed>(typename C::terms{}))
-                return break_rule<
-                    rules::MissingInCoupling<Needed, Term, P, C, list_it_in_the_coupling_Into_the_phase>>();
-        }
-        return true;
+    static constexpr bool lacks_company() {
+        if constexpr (requires { typename Term::beside_in_couplings; })
+            return has_effect_on<P, typename Term::effect>(typename C::terms{}) &&
+                   !has_term_on<P, typename Term::beside_in_couplings>(typename C::terms{});
+        else
+            return false;
     }
     template <class C, class P, class Term>
-    static constexpr bool check_never() {
+    static constexpr bool is_spoiled() {
         if constexpr (requires { typename Term::never_in_couplings; })
-            if constexpr (has_term_on<P, typename Term::never_in_couplings>(typename C::terms{}))
-                return break_rule<rules::NeverInCoupling<typename Term::never_in_couplings, Term, P, C,
-                                                         remove_one_of_the_two_terms>>();
+            return has_term_on<P, typename Term::never_in_couplings>(typename C::terms{});
+        else
+            return false;
+    }
+    template <class C, class P>
+    static constexpr bool check_all_beside(TypeList<>) {
         return true;
     }
-    template <class C, class P, class... Term>
-    static constexpr bool check_all_beside(TypeList<Term...>) {
-        return (check_beside<C, P, Term>() && ...) && (check_never<C, P, Term>() && ...);
+    template <class C, class P, class Term, class... Rest>
+    static constexpr bool check_all_beside(TypeList<Term, Rest...>) {
+        if constexpr (lacks_company<C, P, Term>())
+            return break_rule<rules::MissingInCoupling<typename Term::beside_in_couplings, Term, P, C,
+                                                       list_it_in_the_coupling_Into_the_phase>>();
+        else if constexpr (is_spoiled<C, P, Term>())
+            return break_rule<rules::NeverInCoupling<typename Term::never_in_couplings, Term, P, C,
+                                                     remove_one_of_the_two_terms>>();
+        else
+            return check_all_beside<C, P>(TypeList<Rest...>{});
     }
     template <class C>
     static constexpr bool check_company() {
