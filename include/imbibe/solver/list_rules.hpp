@@ -177,8 +177,8 @@ private:
             return break_rule<rules::MissingInCoupling<typename Term::beside_in_couplings, Term, P, C,
                                                        list_it_in_the_coupling_Into_the_phase>>();
         else if constexpr (is_spoiled<C, P, Term>())
-            return break_rule<rules::NeverInCoupling<typename Term::never_in_couplings, Term, P, C,
-                                                     remove_one_of_the_two_terms>>();
+            return break_rule<
+                rules::NeverInCoupling<typename Term::never_in_couplings, Term, P, C, remove_one_of_the_two_terms>>();
         else
             return check_all_beside<C, P>(TypeList<Rest...>{});
     }
