@@ -38,7 +38,7 @@ public:
     }
     /// The finite number that a word is, if it is one.
     static std::optional<double> number_in(const std::string& word) {
-        const auto found = imbibe::detail::number_in_text(word);
+        const auto found = detail::number_in_text(word);
         return found && found->is_all && std::isfinite(found->value) ? std::optional(found->value) : std::nullopt;
     }
     /// Which repetition this is, from 0 on: the seed of a jittered start.
@@ -295,32 +295,28 @@ private:
     }
 };
 
-namespace detail {
-/// Words in quotation marks, those within them doubled, as CSV has them.
-inline std::string quoted(const std::string& words) {
-    std::string all = "\"";
-    for (const char c : words)
-        all += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return all + "\"";
-}
-} // namespace detail
-
 /// Writes rows as CSV: a column for each axis, then error, least and greatest error, seconds, pair evaluations, front
 /// (1 or 0), failure. Words stand in quotation marks, and theirs are doubled.
 inline void write(const std::vector<Row>& rows, const std::filesystem::path& path) {
+    const auto quoted = [](const std::string& words) {
+        std::string all = "\"";
+        for (const char c : words)
+            all += c == '"' ? std::string("\"\"") : std::string(1, c);
+        return all + "\"";
+    };
     AtomicFile file(path);
     std::string line;
     if (!rows.empty())
         for (const auto& [axis, value] : rows.front().choices.all())
-            line += detail::quoted(axis) + ",";
+            line += quoted(axis) + ",";
     file << line + "error,least error,greatest error,seconds [s],pair evaluations,front,failure\n";
     for (const Row& row : rows) {
         line.clear();
         for (const auto& [axis, value] : row.choices.all())
-            line += detail::quoted(value) + ",";
+            line += quoted(value) + ",";
         for (const double x : {row.error, row.least_error, row.greatest_error, row.seconds, row.pair_evaluations})
             line += text(x) + ",";
-        file << line + (row.on_front ? "1" : "0") + "," + detail::quoted(row.failure) + "\n";
+        file << line + (row.on_front ? "1" : "0") + "," + quoted(row.failure) + "\n";
     }
     file.commit();
 }

@@ -6,6 +6,7 @@
 #include <imbibe/core/term.hpp>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -45,14 +46,9 @@ std::string type_name() {
     return std::string(colon == std::string_view::npos ? name : name.substr(colon + 2));
 }
 
-/// Spells a name as it is.
-struct AsItIs {
-    std::string operator()(std::string name) const { return name; }
-};
-
 /// The name of phase P among those of a scene, as `spelled` has it: where another one has the same name, as `Body<0>`
 /// and `Body<1>` do, with its number in the list behind it.
-template <class P, class... All, class Spelled = AsItIs>
+template <class P, class... All, class Spelled = std::identity>
 std::string name_among(TypeList<All...>, const Spelled& spelled = {}) {
     const std::string name = spelled(type_name<P>());
     int same = 0, number = 0, k = 0;
