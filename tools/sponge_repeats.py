@@ -55,7 +55,7 @@ def main():
     parser.add_argument("files", nargs="+", help="the tables of the runs, those of a case one after the other")
     parser.add_argument("--repeats", type=int, required=True, help="runs of each case, 2 or more")
     parser.add_argument("--column", default="mean displacement", help="of the tables (default: mean displacement)")
-    parser.add_argument("--until", type=float, nargs="+", default=[0.15, 0.25, 0.5], help="times, s")
+    parser.add_argument("--until", type=float, nargs="+", default=[0.15, 0.25, 0.5], help="times, s; those after the end of a run count as it (default: 0.15 0.25 0.5)")
     parser.add_argument("--labels", nargs="+", help="what to call the cases")
     parser.add_argument("-o", "--output", default="repeats.png", help="the picture to write (default: repeats.png)")
     parser.add_argument("--dpi", type=int, default=150)
@@ -76,13 +76,9 @@ def main():
     within, between, by_chance = spreads(curves)
     print("| until, s | runs of one case part by | means of the cases part by | by chance they would by |")
     print("|---|---|---|---|")
-    for until in sorted(arguments.until):
-        if until <= times[-1] * (1 + 1e-6):
-            until_then = times <= until * (1 + 1e-6)
-            row = [f"{100 * spread[until_then].max() / greatest:.1f} %" for spread in (within, between, by_chance)]
-            print(f"| {until:g} | {' | '.join(row)} |")
-        else:
-            print(f"| {until:g} | a run ended before, at {times[-1]:.3g} s | | |")
+    for until in sorted({min(until, times[-1]) for until in arguments.until}):
+        row = [f"{100 * spread[times <= until].max() / greatest:.1f} %" for spread in (within, between, by_chance)]
+        print(f"| {until:.3g} | {' | '.join(row)} |")
 
     x_factor, x_unit = readable_unit("s", times[-1])
     factor, shown = readable_unit(unit, greatest)

@@ -214,6 +214,22 @@ def check_claims(folder):
     check(all(v.startswith("undecided") for v in verdicts([1, 1, 1, 1], 0)), "runs without a length decide something")
 
 
+def check_repeats(folder):
+    """Two runs of each of two cases: theirs is what is far greater than what chance makes of means."""
+    folder.mkdir()
+    paths = []
+    for k, most in enumerate([0.99, 1.01, 1.19, 1.21]):
+        paths.append(folder / f"{k}.csv")
+        paths[-1].write_text("time [s],mean displacement [m]\n" + f"0,0\n0.1,{most}\n0.2,{most}\n")
+    command = [sys.executable, TOOLS / "sponge_repeats.py", *paths, "-o", folder / "repeats.png", "--repeats"]
+    done = subprocess.run([*command, "2"], capture_output=True, text=True)
+    # 0.02/1.21, 0.2/1.21, and 1.128 standard deviations of a mean, 0.01, over 1.21
+    check("| 0.15 | 1.7 % | 16.5 % | 0.9 % |" in done.stdout, "sponge_repeats.py:", done.stdout + done.stderr)
+    check((folder / "repeats.png").stat().st_size > 0, "sponge_repeats.py drew nothing")
+    done = subprocess.run([*command, "3"], capture_output=True, text=True)
+    check(done.returncode == 2 and "4 files are not 3 runs a case" in done.stderr, "sponge_repeats.py:", done.stderr)
+
+
 def check_refused(root, expected, *options):
     """Refused with these words, by a status that is not 0, before a folder is made."""
     folder = root / "refused"
@@ -233,6 +249,7 @@ with tempfile.TemporaryDirectory() as name:
     check_ctrl_c(root / "interrupted")
     check_study(root / "study")
     check_claims(root / "claims")
+    check_repeats(root / "repeats")
     check_refused(root, ["--nonsense"], "--nonsense")
     check_refused(root, ["--support", "paper"], "--support", 1.3)
     check_refused(root, ["--young-modulus", "sound"], "--composition", "paper", "--young-modulus", 1e5)
