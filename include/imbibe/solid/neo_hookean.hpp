@@ -40,6 +40,19 @@ struct NeoHookean {
                0.5 * material.shear_modulus * (trace(transpose(F) * F) - dim - 2 * log);
     }
 
+    /// (c/c_0)^2 at the deformation F or a little more: the square of the fastest wave's speed over that of the
+    /// stress-free solid. The acoustic tensor of a wave with the stress-free normal N is mu 1 + (lambda/2 (J^2 + 1) +
+    /// mu) m (x) m, m = F^-T N, Pa; |m|^2 is at most the greatest eigenvalue of (F^T F)^-1, of which there is a bound
+    /// (detail::greatest_row_sum).
+    template <class T, int n>
+    static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {
+        const T J = max(determinant(F), T(1e-3));
+        const auto inverse_times_J = adjugate(F);
+        const T m2 = detail::greatest_row_sum(inverse_times_J * transpose(inverse_times_J)) / sq(J);
+        const T mu = material.shear_modulus, lambda = detail::lame_lambda(material);
+        return (mu + (T(0.5) * lambda * (sq(J) + 1) + mu) * m2) / (lambda + 2 * mu);
+    }
+
     static constexpr const char* limit_name = "elastic wave";
     /// That of StVenantKirchhoff, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {

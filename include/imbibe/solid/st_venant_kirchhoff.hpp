@@ -38,6 +38,19 @@ struct StVenantKirchhoff {
         return 0.5 * detail::lame_lambda(material) * sq(trace(E)) + material.shear_modulus * trace(E * E);
     }
 
+    /// (c/c_0)^2 at the deformation F or a little more: the square of the fastest wave's speed over that of the
+    /// stress-free solid. The acoustic tensor of a wave with the stress-free normal N is (N.S N) 1 + (lambda + mu) n (x)
+    /// n + mu F F^T, n = F N, Pa; with the greatest eigenvalue of F^T F, of which there is a bound
+    /// (detail::greatest_row_sum), each of the three is at its greatest.
+    template <class T, int n>
+    static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {
+        const auto C = transpose(F) * F;
+        const T greatest = detail::greatest_row_sum(C);
+        const T mu = material.shear_modulus, lambda = detail::lame_lambda(material);
+        const T stress = T(0.5) * lambda * (trace(C) - n) + mu * (greatest - 1);
+        return (stress + (lambda + 2 * mu) * greatest) / (lambda + 2 * mu);
+    }
+
     static constexpr const char* limit_name = "elastic wave";
     /// f spacing/(c_l + v), s, with the speed of longitudinal waves c_l = sqrt((K + 4G/3)/rho_0), the greatest speed v
     /// in the phase, and f = 1 but for short supports and for Poisson's ratios near 1/2: with n = nu/(1 - nu) and r =

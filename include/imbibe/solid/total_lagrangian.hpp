@@ -24,6 +24,7 @@
 #include <imbibe/solid/cauchy_stress.hpp>
 #include <imbibe/solid/deformation_gradient.hpp>
 #include <imbibe/solid/displacement.hpp>
+#include <imbibe/solid/finite_strain_limit.hpp>
 #include <imbibe/solid/first_piola.hpp>
 #include <imbibe/solid/hourglass_control.hpp>
 #include <imbibe/solid/neo_hookean.hpp>

@@ -135,6 +135,25 @@ struct VolumetricDeviatoric {
     };
     using parts = Parts<Weigh, Volume, Sum, Pressure, Share, Stress>;
 
+    /// (c/c_0)^2 at the deformation F or a little more, where the volume is not averaged: the square of the fastest
+    /// wave's speed over that of the stress-free solid. The acoustic tensor of a wave with the stress-free normal N is G
+    /// J^(-2/3) [1 - 2/3 (n (x) m + m (x) n) + 5/9 I_1 m (x) m] + K/2 (J^2 + 1) m (x) m, n = F N, m = F^-T N, n.m = 1, Pa;
+    /// |n|^2 and |m|^2 are at most the greatest eigenvalues of F^T F and its inverse, of which there are bounds
+    /// (detail::greatest_row_sum).
+    template <class T, int n>
+    static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {
+        const T J = max(determinant(F), T(1e-3));
+        const auto inverse_times_J = adjugate(F);
+        const auto C = transpose(F) * F;
+        const T m2 = detail::greatest_row_sum(inverse_times_J * transpose(inverse_times_J)) / sq(J);
+        const T n2 = detail::greatest_row_sum(C), I1 = trace(C) + T(3 - n);
+        // the greater eigenvalue of -2/3 (n (x) m + m (x) n) + 5/9 I_1 m (x) m, in the plane of the two
+        const T half = T(5.0 / 18) * I1 * m2 - T(2.0 / 3);
+        const T both = half + sqrt(sq(half) + T(4.0 / 9) * positive_part(m2 * n2 - 1));
+        const T G = material.shear_modulus, K = material.bulk_modulus();
+        return (G * pow(J, -2.0 / 3) * (1 + both) + T(0.5) * K * (sq(J) + 1) * m2) / (K + T(4.0 / 3) * G);
+    }
+
     static constexpr const char* limit_name = "elastic wave";
     /// That of NeoHookean, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
