@@ -60,6 +60,8 @@ struct PlateClamped : PlateWith<Clamped> {};
 struct PlateCauchy : PlateWith<CauchyStress> {};
 struct PlateAveraged : PlateWith<TimeAveragedMotion> {};
 struct PlateNeoHookean : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>> {};
+struct PlateFinite : Solid<ReferenceCorrection<K>, DeformationGradient<K>, FiniteStrainLimit<StVenantKirchhoff>,
+                           TotalLagrangianForce<K>> {};
 struct PlateVolumetric
     : Solid<ReferenceCorrection<K>, DeformationGradient<K>, VolumetricDeviatoric<>, TotalLagrangianForce<K>> {};
 struct PlatePairwise : Solid<ReferenceCorrection<K>, DeformationGradient<K>, PairwiseShearForce<K>> {};
@@ -222,6 +224,8 @@ Cases all_cases() {
     add<PlateCauchy>(cases, "`CauchyStress`", "the stress as others write it, for output");
     add<PlateAveraged>(cases, "`TimeAveragedMotion`", "a stiff solid that `Subcycled` steps by itself");
     add<PlateNeoHookean>(cases, "`NeoHookean` in place of `StVenantKirchhoff`", "large strains, above all compression");
+    add<PlateFinite>(cases, "`FiniteStrainLimit<StVenantKirchhoff>` in place of `StVenantKirchhoff`",
+                     "solids that are held at great strains");
     add<PlatePairwise>(cases, "`PairwiseShearForce` in place of law and force",
                        "solids that are hit, twisted or bent hard");
     add<PlateVolumetric>(cases, "`VolumetricDeviatoric` in place of `StVenantKirchhoff`",
