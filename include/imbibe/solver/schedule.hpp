@@ -7,7 +7,9 @@
 // sums some other row waits for. So pair rows are fused into as few sweeps as the data flow allows.
 //
 // State that is advanced *within* a step (density, stress: the symplectic Euler scheme) has an advancing row. What its
-// rate is computed from sees the old value, everyone else the new one.
+// rate is computed from sees the old value, everyone else the new one. A row from which one rate is computed and
+// something else as well sees only those states as they were that wait for it: a term that integrates the work of the
+// pressure must not make the forces see the pressure of the old density, which is Euler's explicit scheme.
 #pragma once
 
 #include <array>
@@ -129,6 +131,7 @@ public:
         if (plan.fault != Fault::none)
             return plan;
         find_ancestors();
+        find_old();
         while (done.count() < static_cast<int>(n)) {
             const int before = done.count();
             particle_loops();
@@ -151,7 +154,8 @@ private:
     Bits done;      // rows
     Bits ancestors; // rows from which the rates of advanced states are computed
     Bits advanced;  // columns
-    std::array<Bits, Bits::capacity> providers{};
+    std::array<Bits, Bits::capacity> providers{}; // by column: the rows that write it
+    std::array<Bits, Bits::capacity> old{};       // by row: the states that it sees as they were
     Plan plan;
 
     constexpr const Row& row(int r) const { return rows[static_cast<std::size_t>(r)]; }
@@ -203,6 +207,61 @@ private:
         }
     }
 
+    // Which states a row sees as they were. One of which only rates are made sees all states so: it shares a sweep with
+    // other rates, and nobody else minds. One that others read too sees those whose own advance waits for it.
+    constexpr void find_old() {
+        const Bits shared = shared_ancestors();
+        for (int r = 0; r < static_cast<int>(n); ++r)
+            if (ancestors.test(r) && !shared.test(r))
+                old[static_cast<std::size_t>(r)] = row(r).reads & advanced;
+        for (const Row& advance : rows)
+            if (advance.advances) {
+                const Bits behind = rows_behind(advance);
+                for (int r = 0; r < static_cast<int>(n); ++r)
+                    if (shared.test(r) && behind.test(r)) {
+                        Bits& seen = old[static_cast<std::size_t>(r)];
+                        seen = seen | (row(r).reads & advance.sets);
+                    }
+            }
+    }
+    // The ancestors whose results others than ancestors depend on, and what reads results of these: it must see the
+    // same states as they.
+    constexpr Bits shared_ancestors() const {
+        Bits shared, wanted, written;
+        for (int r = 0; r < static_cast<int>(n); ++r)
+            if (!row(r).advances && !ancestors.test(r))
+                wanted = wanted | row(r).reads;
+        const auto grow = [&](auto&& is_one) {
+            for (bool grew = true; grew;) {
+                grew = false;
+                for (int r = 0; r < static_cast<int>(n); ++r)
+                    if (ancestors.test(r) && !shared.test(r) && is_one(row(r))) {
+                        shared.set(r);
+                        wanted = wanted | row(r).reads;
+                        written = written | row(r).adds | row(r).sets;
+                        grew = true;
+                    }
+            }
+        };
+        grow([&](const Row& it) { return ((it.adds | it.sets) & wanted).any(); });
+        grow([&](const Row& it) { return (it.reads & written).any(); });
+        return shared;
+    }
+    // All rows on which the advance of a state depends, also through other states.
+    constexpr Bits rows_behind(const Row& advance) const {
+        Bits behind, needed = advance.reads;
+        for (bool grew = true; grew;) {
+            grew = false;
+            for (int r = 0; r < static_cast<int>(n); ++r)
+                if (!behind.test(r) && ((row(r).adds | row(r).sets) & needed).any()) {
+                    behind.set(r);
+                    needed = needed | row(r).reads;
+                    grew = true;
+                }
+        }
+        return behind;
+    }
+
     constexpr bool ready(int r) const {
         const Row& it = row(r);
         for (std::size_t w = 0; w < it.reads.words.size(); ++w)
@@ -210,14 +269,19 @@ private:
                 const int c = static_cast<int>(w) * 64 + std::countr_zero(left);
                 if ((providers[static_cast<std::size_t>(c)] - done).any())
                     return false;
-                if (advanced.test(c) && !it.advances && !ancestors.test(r) && !column_advanced(c))
+                if (advanced.test(c) && !it.advances && !sees_old(r, c) && !column_advanced(c))
                     return false;
             }
         if (it.advances) // whoever needs the old value must have had it
             for (int other = 0; other < static_cast<int>(n); ++other)
-                if (ancestors.test(other) && !done.test(other) && (row(other).reads & it.sets).any())
+                if (!done.test(other) && needs_old(other, it))
                     return false;
         return true;
+    }
+
+    constexpr bool sees_old(int r, int c) const { return old[static_cast<std::size_t>(r)].test(c); }
+    constexpr bool needs_old(int r, const Row& advance) const {
+        return (old[static_cast<std::size_t>(r)] & advance.sets).any();
     }
 
     constexpr bool column_advanced(int c) const {
@@ -236,12 +300,12 @@ private:
                         continue;
                     if (providers[static_cast<std::size_t>(c)].test(other))
                         return other;
-                    if (row(other).advances && row(other).sets.test(c) && !row(r).advances && !ancestors.test(r))
+                    if (row(other).advances && row(other).sets.test(c) && !row(r).advances && !sees_old(r, c))
                         return other;
                 }
         if (row(r).advances)
             for (int other = 0; other < static_cast<int>(n); ++other)
-                if (ancestors.test(other) && !done.test(other) && (row(other).reads & row(r).sets).any())
+                if (!done.test(other) && needs_old(other, row(r)))
                     return other;
         return -1;
     }
