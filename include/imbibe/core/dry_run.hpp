@@ -1,5 +1,6 @@
 // Runs a part's function once at compile time on a recording particle: which fields does it really read, and on
-// which side of the pair? What it returns is thrown away; the record becomes the part's row in the schedule.
+// which side of the pair? The record becomes the part's row in the schedule. Of what it returns only the type counts:
+// it must be a value for each field that the part adds to or sets.
 #pragma once
 
 #include <imbibe/core/rule.hpp>
@@ -19,12 +20,51 @@ struct DeclaresWhatItDoesNotRead {
     static_assert(sizeof(Field) == 0,
                   "imbibe: this term lists a field in `reads` that it never reads: remove it there");
 };
+/// Rule: a term's function is one of a particle, or of a particle, its neighbour and their pair.
+template <class Part>
+struct NotCallable {
+    static_assert(sizeof(Part) == 0,
+                  "imbibe: this term has no function `operator()(a) const` or `operator()(a, b, ab) const`");
+};
+/// Rule: a term's function can be run by the compiler.
+template <class Part>
+struct NotConstexpr {
+    static_assert(sizeof(Part) == 0,
+                  "imbibe: this term's function cannot be run at compile time: declare it constexpr; with parameters at "
+                  "their defaults it must not divide by zero");
+};
+/// Rule: a term returns one value for each field that it sets or adds to, in their order.
+template <class Part>
+struct ReturnsAnotherNumber {
+    static_assert(sizeof(Part) == 0, "imbibe: this term returns more or fewer values than the fields it sets or adds "
+                                     "to: for several fields a std::tuple");
+};
+/// Rule: what a term returns for a field is of the field's rank.
+template <class Field, class Part>
+struct ReturnsAnotherRank {
+    static_assert(sizeof(Field) == 0, "imbibe: what this term returns for this field is of another rank, such as a "
+                                      "number for a vector");
+};
 } // namespace rules
 
 namespace detail {
 
+// A material of ordinary numbers.
 template <class Material>
-inline constexpr Material default_material{};
+constexpr Material sample_material() {
+    Material m{};
+    m.density = 1000;
+    m.sound_speed = 10;
+    if constexpr (requires { m.viscosity; })
+        m.viscosity = 1e-3;
+    if constexpr (requires { m.shear_modulus; })
+        m.shear_modulus = 1e4;
+    m.support_radius = 1;
+    m.spacing = 0.5;
+    return m;
+}
+template <class Material>
+inline constexpr Material default_material = sample_material<Material>();
 
 // Values that keep every formula finite: tensors are near the identity, vectors have different components.
 template <class V>
@@ -65,13 +105,23 @@ struct RecordingParticle {
 
 template <class Part, int dim, class MaterialA, class MaterialB>
 inline constexpr bool is_pair_part =
-    std::is_invocable_v<Part, RecordingParticle<Part, dim, MaterialA>, RecordingParticle<Part, dim, MaterialB>,
+    std::is_invocable_v<const Part&, RecordingParticle<Part, dim, MaterialA>, RecordingParticle<Part, dim, MaterialB>,
                         Pair<dim, Number<double>>>;
+template <class Part, int dim, class Material>
+inline constexpr bool is_particle_part = std::is_invocable_v<const Part&, RecordingParticle<Part, dim, Material>>;
 
 /// Which of a part's declared reads it makes on a, and which on b.
 template <int n>
 struct SidedReads {
     bool a[static_cast<std::size_t>(n + 1)] = {}, b[static_cast<std::size_t>(n + 1)] = {};
+
+    /// All of them: what is said of a part that breaks a rule, so that it breaks no other.
+    static constexpr SidedReads all() {
+        SidedReads reads;
+        for (bool& read : reads.a)
+            read = true;
+        return reads;
+    }
 };
 
 template <class Part, int dim, class MaterialA, class MaterialB>
@@ -90,9 +140,25 @@ constexpr auto dry_run() {
     }
     return seen;
 }
+template <class Part, int dim, class MaterialA, class MaterialB>
+concept RunsAtCompileTime = requires {
+    typename std::bool_constant<(dry_run<Part, dim, MaterialA, MaterialB>(), true)>;
+};
+template <class Part, int dim, class MaterialA, class MaterialB>
+constexpr auto record_reads() {
+    if constexpr (!is_pair_part<Part, dim, MaterialA, MaterialB> && !is_particle_part<Part, dim, MaterialA>) {
+        break_rule<rules::NotCallable<Part>>();
+        return SidedReads<ReadsOf<Part>::type::size>::all();
+    } else if constexpr (!RunsAtCompileTime<Part, dim, MaterialA, MaterialB>) {
+        break_rule<rules::NotConstexpr<Part>>();
+        return SidedReads<ReadsOf<Part>::type::size>::all();
+    } else {
+        return dry_run<Part, dim, MaterialA, MaterialB>();
+    }
+}
 
 template <class Part, int dim, class MaterialA, class MaterialB>
-inline constexpr auto reads_on = dry_run<Part, dim, MaterialA, MaterialB>();
+inline constexpr auto reads_on = record_reads<Part, dim, MaterialA, MaterialB>();
 
 // The rule is named only where it is broken: naming it is the error.
 template <class Part, bool is_read, class F>
@@ -107,6 +173,50 @@ template <class Part, auto seen, class... F>
 constexpr bool check_all_read(TypeList<F...>) {
     using List = TypeList<F...>;
     return (check_read < Part, seen.a[index_of<F, List>] || seen.b[index_of<F, List>], F > () && ...);
+}
+
+// Is V what a part may return for field F? `Central` is the business of pairs.
+template <class F, int dim, class V>
+inline constexpr bool is_value_of = [] {
+    if constexpr (Algebraic<V>)
+        return F::rank != Rank::scalar && V::size == components(F::rank, dim) && dimension_of<V> == dim;
+    else
+        return is_central<V> ? F::rank == Rank::vector : F::rank == Rank::scalar;
+}();
+template <class Part, int dim, class F, class V>
+constexpr bool check_value() {
+    if constexpr (!is_value_of<F, dim, std::remove_cvref_t<V>>)
+        return break_rule<rules::ReturnsAnotherRank<F, Part>>();
+    else
+        return true;
+}
+template <class Part, int dim, class R, class... F>
+constexpr bool check_values(std::type_identity<R>, TypeList<F...>) {
+    if constexpr (sizeof...(F) != 1)
+        return break_rule<rules::ReturnsAnotherNumber<Part>>();
+    else
+        return (check_value<Part, dim, F, R>() && ...);
+}
+template <class Part, int dim, class... V, class... F>
+constexpr bool check_values(std::type_identity<std::tuple<V...>>, TypeList<F...>) {
+    if constexpr (sizeof...(F) != sizeof...(V))
+        return break_rule<rules::ReturnsAnotherNumber<Part>>();
+    else
+        return (check_value<Part, dim, F, V>() && ...);
+}
+// What a part returns, for the fields that it sets or adds to.
+template <class Part, int dim, class MaterialA, class MaterialB>
+constexpr bool check_returned() {
+    using A = RecordingParticle<Part, dim, MaterialA>;
+    using B = RecordingParticle<Part, dim, MaterialB>;
+    using Given = Concat<typename SetsOf<Part>::type, typename AddsOf<Part>::type>;
+    if constexpr (is_pair_part<Part, dim, MaterialA, MaterialB>)
+        return check_values<Part, dim>(
+            std::type_identity<std::invoke_result_t<const Part&, A, B, Pair<dim, Number<double>>>>{}, Given{});
+    else if constexpr (is_particle_part<Part, dim, MaterialA>)
+        return check_values<Part, dim>(std::type_identity<std::invoke_result_t<const Part&, A>>{}, Given{});
+    else
+        return false; // an error of its own
 }
 
 } // namespace detail

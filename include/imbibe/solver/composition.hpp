@@ -85,7 +85,8 @@ struct Composition {
     template <class N>
     static constexpr bool declarations_fit =
         detail::check_all_read<typename N::Part, detail::reads_on<typename N::Part, dim, typename N::A, typename N::B>>(
-            typename N::Reads{});
+            typename N::Reads{}) &&
+        detail::check_returned<typename N::Part, dim, typename N::A, typename N::B>();
 
     template <class P, class F>
     using Advance = detail::Advance<P, F>;
@@ -302,7 +303,20 @@ struct Composition {
     }
     template <class... N>
     static constexpr bool all_declarations_fit(TypeList<N...>) {
-        return (declarations_fit<N> && ...) && (check_pair_part<N>() && ...);
+        return (declarations_fit<N> && ...) && (check_pair_part<N>() && ...) &&
+               (check_sums<N>(typename N::Adds{}) && ...);
+    }
+    template <class N, class... F>
+    static constexpr bool check_sums(TypeList<F...>) {
+        return (check_sum<N, F>() && ...);
+    }
+    template <class N, class F>
+    static constexpr bool check_sum() {
+        if constexpr (F::given || integrated<typename N::A, F>())
+            return detail::break_rule<rules::AddsToAState<F, typename N::Term, typename N::A,
+                                                          let_the_part_add_to_its_rate_or_set_it>>();
+        else
+            return true;
     }
     template <class N>
     static constexpr bool check_pair_part() {

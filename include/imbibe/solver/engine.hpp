@@ -119,7 +119,8 @@ private:
                 OwnValues<Reads, dim, T> own;
                 own.template load_consecutive<FieldsOf<P>>(s.data() + i, s.stride());
                 const OwnView<P, Reads, dim, T> a{own, material, this->gravity, step_length};
-                write_results<N, T>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
+                if constexpr (is_particle_part<typename N::Part, dim, P>) // or else an error of its own
+                    write_results<N, T>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
             }
         }
     }

@@ -19,6 +19,7 @@ struct give_both_the_same_kernel;
 struct list_terms_only_and_Into_only_in_couplings;
 struct give_it_to_a_solid;
 struct let_the_part_add_to_the_field;
+struct let_the_part_add_to_its_rate_or_set_it;
 struct couple_two_different_phases;
 struct list_the_phase_in_the_solver;
 struct list_the_coupling_in_the_solver;
@@ -105,6 +106,11 @@ struct TwoKernels {
 template <class Part, class Term, class Advice>
 struct PairPartSets {
     static_assert(never<Part>, "imbibe: a function of a pair can only add to fields, and this one sets one");
+};
+/// Rule: what terms add to starts from zero in every step, so it is no state.
+template <class Field, class Term, class Phase, class Advice>
+struct AddsToAState {
+    static_assert(never<Field>, "imbibe: a term adds to a state, which would start from zero in every step");
 };
 /// Rule: the third argument of a solver is its integrator.
 template <class Given, class Advice>
