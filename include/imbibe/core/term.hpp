@@ -23,9 +23,10 @@
 //     (in couplings, as Into the wall or the solid), `between_fluids` (in phases, and in couplings of two fluids),
 //     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli
 //     of `Solid`);
-//   - `static double time_step_limit(const TimeStepInput&)` with `static constexpr const char* limit_name`. A force
-//     that is stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on
-//     accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
+//   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials, and
+//     behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that is
+//     stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on accelerations,
+//     sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
 #pragma once
 
 #include <imbibe/core/field.hpp>

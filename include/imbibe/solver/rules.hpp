@@ -20,6 +20,7 @@ struct list_terms_only_and_Into_only_in_couplings;
 struct give_it_to_a_solid;
 struct let_the_part_add_to_the_field;
 struct let_the_part_add_to_its_rate_or_set_it;
+struct write_time_step_limit_of_the_material_and_TimeStepInput_with_a_limit_name;
 struct couple_two_different_phases;
 struct list_the_phase_in_the_solver;
 struct list_the_coupling_in_the_solver;
@@ -111,6 +112,11 @@ struct PairPartSets {
 template <class Field, class Term, class Phase, class Advice>
 struct AddsToAState {
     static_assert(never<Field>, "imbibe: a term adds to a state, which would start from zero in every step");
+};
+/// Rule: a limit on the step is a function of the material and a TimeStepInput (and the parameters), and has a name.
+template <class Term, class Advice>
+struct LimitNotUsable {
+    static_assert(never<Term>, "imbibe: this term's limit on the step has no name, or cannot be called");
 };
 /// Rule: the third argument of a solver is its integrator.
 template <class Given, class Advice>

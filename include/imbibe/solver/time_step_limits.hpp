@@ -158,6 +158,30 @@ private:
         }
         return in;
     }
+    // Can a limit be asked for with these materials?
+    template <class Term, class... M>
+    static constexpr bool has_limit() {
+        if constexpr (requires(const M&... m, const TimeStepInput& in) { Term::time_step_limit(m..., in); })
+            return true;
+        else if constexpr (requires { typename Term::Parameters; })
+            return requires(const M&... m, const TimeStepInput& in, const typename Term::Parameters& parameters) {
+                Term::time_step_limit(m..., in, parameters);
+            };
+        else
+            return false;
+    }
+    // Has the term a limit and its name, or neither? One of phases only, or of couplings, has none in the others.
+    template <class Term, class M, class... Other>
+    static constexpr bool check_limit() {
+        constexpr bool callable = has_limit<Term, M, Other...>() || has_limit<Term, M>() || has_limit<Term, M, M>();
+        constexpr bool named = requires { Term::limit_name; };
+        constexpr bool there = callable || requires { &Term::time_step_limit; };
+        if constexpr (there != named || callable != named)
+            return break_rule<rules::LimitNotUsable<
+                Term, write_time_step_limit_of_the_material_and_TimeStepInput_with_a_limit_name>>();
+        else
+            return true;
+    }
     // A term may need no coefficients for its limit, or have no limit.
     template <class Term, class Where, class Owner, class... Materials>
     void add_term(const Owner& owner, const TimeStepInput& in, const Materials&... materials) {
@@ -171,7 +195,9 @@ private:
             if constexpr (requires { Term::time_step_limit(materials..., in, parameters); })
                 seconds = Term::time_step_limit(materials..., in, parameters);
         }
-        if constexpr (requires { Term::limit_name; })
+        if constexpr (!check_limit<Term, Materials...>())
+            return;
+        else if constexpr (requires { Term::limit_name; })
             if (seconds >= 0 && seconds < std::numeric_limits<double>::infinity())
                 add(seconds, Term::limit_name, type_name<Where>());
     }
