@@ -5,6 +5,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -35,15 +36,29 @@ struct ParametersOf<Term> {
     using type = TypeList<typename Term::Parameters>;
 };
 
-/// The name of a type as the user wrote it, without its namespaces and template arguments.
+/// The name of the type T in the name of a function, as compilers spell it: what stands behind the last :: that is in no
+/// brackets, without template arguments.
+inline std::string name_in(std::string_view function) {
+    std::size_t begin = function.find("T = ") + 4, end = begin, arguments = std::string_view::npos;
+    for (int depth = 0; end < function.size(); ++end) {
+        const char c = function[end];
+        if (depth == 0 && (c == ';' || c == ']'))
+            break;
+        if (depth == 0 && c == ':') {
+            begin = end + 1;
+            arguments = std::string_view::npos;
+        } else if (depth == 0 && c == '<') {
+            arguments = std::min(arguments, end);
+        }
+        depth += (c == '<' || c == '(' || c == '[' || c == '{') - (c == '>' || c == ')' || c == ']' || c == '}');
+    }
+    return std::string(function.substr(begin, std::min(arguments, end) - begin));
+}
+
+/// The name of a type as the user wrote it, without what it is in and without its template arguments.
 template <class T>
 std::string type_name() {
-    const std::string_view all = __PRETTY_FUNCTION__;
-    auto begin = all.find("T = ") + 4;
-    auto name = all.substr(begin, all.find_first_of(";]", begin) - begin);
-    name = name.substr(0, name.find('<'));
-    const auto colon = name.rfind("::");
-    return std::string(colon == std::string_view::npos ? name : name.substr(colon + 2));
+    return name_in(__PRETTY_FUNCTION__);
 }
 
 /// The name of phase P among those of a scene, as `spelled` has it: where another one has the same name, as `Body<0>`
