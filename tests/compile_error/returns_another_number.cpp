@@ -6,7 +6,7 @@
 struct Both {
     using reads = sph::Fields<sph::mass>;
     using adds = sph::Fields<sph::density_rate, sph::acceleration>;
-    constexpr auto operator()(const auto&, const auto& b, const auto&) const { return b[sph::mass]; }
+    constexpr auto operator()(const auto&, const auto& b, const auto& ab) const { return b[sph::mass] * ab.value(K{}); }
 };
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>, Both> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;

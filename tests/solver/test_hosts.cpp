@@ -25,6 +25,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hosts_test {
@@ -36,6 +37,8 @@ constexpr double dx = 0.05, nan = std::numeric_limits<double>::quiet_NaN();
 struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
 struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
 struct Tank : sph::Wall<> {};
+struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+                           sph::TotalLagrangianForce<K>> {};
 template <class Liquid>
 struct Sides : sph::Coupling<Liquid, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                              sph::Into<Liquid, sph::VolumeContinuity<K>>> {};
@@ -112,8 +115,6 @@ TEST_CASE("Fields that are set after a look at the scene count in the first step
 }
 
 TEST_CASE("What an observer adds to a run is prepared as what a host adds between steps", "[hosts]") {
-    struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
-                               sph::TotalLagrangianForce<K>> {};
     const auto run = [](auto by_observer) {
         const double spacing = 0.1;
         const Rubber rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}};
@@ -210,6 +211,74 @@ TEST_CASE("The end of a run leaves no step of round-off, and must be a number", 
     scene.run_until(1 + 0.5e-5);
     CHECK(scene.last_step().reason == "end of run");
     REQUIRE_THROWS_WITH(scene.run_until(nan), imbibe_test::contains("run_until(nan)"));
+}
+
+TEST_CASE("What a host sets after prepare() counts in the first step, what is computed once included", "[hosts]") {
+    const auto sum_after = [](bool prepared, auto change) {
+        sph::Solver<2, double, sph::SymplecticEuler, Rubber> scene({.support_radius = 2 * dx});
+        const auto rubber = scene.add(Rubber{{.density = 1000, .sound_speed = 20, .shear_modulus = 1e5}},
+                                      sph::fill(sph::Box<2>({0, 0}, {0.3, 0.3}), dx), dx);
+        if (prepared)
+            scene.prepare();
+        change(scene[rubber]);
+        scene[rubber][sph::position] *= 1.05;
+        for (int k = 0; k < 10; ++k)
+            scene.step(1e-4);
+        return scene[rubber][sph::velocity].squaredNorm();
+    };
+    const auto heavier = [](auto view) { view[sph::mass] *= 2; };
+    const auto stretched = [](auto view) { view[sph::reference_position] *= 0.9; };
+    for (bool prepared : {false, true}) {
+        CHECK(sum_after(prepared, heavier) > 0);
+        CHECK(sum_after(prepared, heavier) == sum_after(false, heavier));
+        CHECK(sum_after(prepared, stretched) == sum_after(false, stretched));
+    }
+}
+
+TEST_CASE("Velocities that a host sets during a run limit the next step", "[hosts]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Water> scene({.support_radius = 2.6 * dx});
+    const auto phase = scene.add(water, sph::fill(sph::Box<2>({0, 0}, {0.5, 0.5}), dx), dx);
+    scene.step();
+    auto copy = scene;
+    scene[phase][sph::velocity].col(0).setConstant(1000);
+    CHECK(scene.step() * 1000 < dx);
+    // to look at what may be written to changes nothing
+    CHECK(copy.get<Water>()[sph::velocity].allFinite());
+    const double step = copy.step();
+    auto other = copy;
+    other.get<Water>();
+    CHECK(other.step() == std::as_const(copy).next_step().seconds);
+    CHECK(step > 0);
+}
+
+TEST_CASE("A support radius that a host sets is looked at", "[hosts]") {
+    auto s = settings();
+    s.periodic_length = {0.5, 0};
+    sph::Solver<2, double, sph::SymplecticEuler, Water> scene(s);
+    const auto phase = scene.add(water, sph::fill(sph::Box<2>({0, 0}, {0.5, 0.5}), dx), dx);
+    scene.step();
+    for (const double wrong : {0.0, -1.0, nan, 0.6}) {
+        const double right = scene[phase].material().support_radius;
+        scene[phase].material().support_radius = wrong;
+        REQUIRE_THROWS_WITH(scene.step(), imbibe_test::contains("support_radius = " + sph::text(wrong)));
+        scene[phase].material().support_radius = right;
+        scene.step();
+    }
+}
+
+template <int>
+struct Case {
+    struct Cream : sph::Fluid<> {};
+};
+TEST_CASE("Types inside templates and functions have names of their own", "[hosts]") {
+    const auto inside = [] {
+        struct Milk {};
+        return sph::detail::type_name<Milk>();
+    };
+    CHECK(sph::detail::type_name<Case<1>::Cream>() == "Cream");
+    CHECK(sph::detail::type_name<Case<1>>() == "Case");
+    CHECK(sph::detail::type_name<Sides<Water>>() == "Sides");
+    CHECK(inside() == "Milk");
 }
 
 /// Those of a pool of water over a floor.

@@ -45,6 +45,12 @@ struct ReturnsAnotherRank {
     static_assert(sizeof(Field) == 0, "imbibe: what this term returns for this field is of another rank, such as a "
                                       "number for a vector");
 };
+/// Rule: what a neighbour contributes vanishes at the support radius and beyond.
+template <class Part>
+struct ReachesBeyondTheSupport {
+    static_assert(sizeof(Part) == 0, "imbibe: this term counts neighbours beyond the support radius, which are not all "
+                                     "there: multiply by a kernel, its gradient, or what else vanishes there");
+};
 } // namespace rules
 
 namespace detail {
@@ -204,19 +210,72 @@ constexpr bool check_values(std::type_identity<std::tuple<V...>>, TypeList<F...>
     else
         return (check_value<Part, dim, F, V>() && ...);
 }
+// Is what it returns zero in all its components?
+template <class V>
+constexpr bool is_zero(const V& value) {
+    if constexpr (Algebraic<V>) {
+        for (int k = 0; k < V::size; ++k)
+            if (!(value.c[k][0] == 0))
+                return false;
+        return true;
+    } else if constexpr (is_central<V>) {
+        return is_zero(value.factor);
+    } else if constexpr (requires { value[0]; }) {
+        return value[0] == 0;
+    } else {
+        return value == 0;
+    }
+}
+template <class... V>
+constexpr bool is_zero(const std::tuple<V...>& values) {
+    return std::apply([](const V&... value) { return (is_zero(value) && ...); }, values);
+}
+// What a pair of twice the support radius contributes.
+template <class Part, int dim, class MaterialA, class MaterialB>
+constexpr bool vanishes_beyond() {
+    using A = RecordingParticle<Part, dim, MaterialA>;
+    using B = RecordingParticle<Part, dim, MaterialB>;
+    using T = Number<double>;
+    SidedReads<A::Reads::size> seen;
+    Vector<T, dim> offset{};
+    offset[0] = T(2);
+    const Pair<dim, T> ab{offset, T(2), SupportRadius(1), Vector<double, dim>::filled(1.0)};
+    return is_zero(Part{}(A{seen.a}, B{seen.b}, ab));
+}
+// Is that something? Not where the compiler cannot run it on such a pair.
+template <class Part, int dim, class MaterialA, class MaterialB>
+inline constexpr bool counts_beyond = false;
+template <class Part, int dim, class MaterialA, class MaterialB>
+    requires requires { typename std::bool_constant<vanishes_beyond<Part, dim, MaterialA, MaterialB>()>; }
+inline constexpr bool counts_beyond<Part, dim, MaterialA, MaterialB> =
+    !vanishes_beyond<Part, dim, MaterialA, MaterialB>();
+template <class Part, int dim, class MaterialA, class MaterialB>
+constexpr bool check_reach() {
+    if constexpr (counts_beyond<Part, dim, MaterialA, MaterialB>)
+        return break_rule<rules::ReachesBeyondTheSupport<Part>>();
+    else
+        return true;
+}
+
 // What a part returns, for the fields that it sets or adds to.
 template <class Part, int dim, class MaterialA, class MaterialB>
 constexpr bool check_returned() {
     using A = RecordingParticle<Part, dim, MaterialA>;
     using B = RecordingParticle<Part, dim, MaterialB>;
     using Given = Concat<typename SetsOf<Part>::type, typename AddsOf<Part>::type>;
-    if constexpr (is_pair_part<Part, dim, MaterialA, MaterialB>)
-        return check_values<Part, dim>(
-            std::type_identity<std::invoke_result_t<const Part&, A, B, Pair<dim, Number<double>>>>{}, Given{});
-    else if constexpr (is_particle_part<Part, dim, MaterialA>)
+    if constexpr (is_pair_part<Part, dim, MaterialA, MaterialB>) {
+        using R = std::invoke_result_t<const Part&, A, B, Pair<dim, Number<double>>>;
+        if constexpr (SetsOf<Part>::type::size > 0)
+            return true; // an error of its own
+        else if constexpr (check_values<Part, dim>(std::type_identity<R>{}, Given{}))
+            return check_reach<Part, dim, MaterialA, MaterialB>();
+        else
+            return false;
+    } else if constexpr (is_particle_part<Part, dim, MaterialA>) {
         return check_values<Part, dim>(std::type_identity<std::invoke_result_t<const Part&, A>>{}, Given{});
-    else
+    } else {
         return false; // an error of its own
+    }
 }
 
 } // namespace detail

@@ -221,6 +221,7 @@ struct Wall {
     void check(std::string_view name) const {
         detail::require_positive(density, name, "density", "kg/m^3");
         detail::require_positive(sound_speed, name, "sound_speed", "m/s");
+        require_not_negative(viscosity, name, "viscosity", "Pa s");
     }
 };
 

@@ -3,15 +3,19 @@
 // A term is one physical or numerical effect: an empty struct that is either one part itself or lists its parts in
 // `using parts = Parts<...>`. A part is
 //   - a particle function  (a) -> values, with `reads`, and `sets` and/or `adds`, or
-//   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`.
+//   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`. It vanishes at the
+//     support radius and beyond, as all does that is multiplied by a kernel: neighbours are looked for somewhat
+//     further, and packs are filled up with whoever is at hand.
+// It is constexpr, and calls sqrt, exp, pow, min and max by these names alone: its numbers may be packs of several.
 // Besides its fields a particle has `material`, `gravity()` and `time_step`, s: by how much states are advanced with
 // the rates that are being computed; 0 for what is computed once, and where an integrator does not advance them by
 // these rates alone (MidpointRungeKutta, PredictorCorrector).
 //
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
-// `static constexpr bool once = true;` (evaluated when the particles are added, not in every step), and, of a particle
-// function, `static constexpr bool in_packs = true;`: like a pair function it asks nothing of its numbers by `if`, so
-// it is called for as many particles at once as the machine computes.
+// `static constexpr bool once = true;` (evaluated before the first step and when particles are added, of all particles,
+// not in every step: it reads what stays, such as masses and reference positions), and, of a particle function, `static
+// constexpr bool in_packs = true;`: like a pair function it asks nothing of its numbers by `if`, so it is called for as
+// many particles at once as the machine computes.
 //
 // Optional members of a term:
 //   - `struct Parameters`, and `using stores = Fields<...>;` for fields without a part;
@@ -23,8 +27,8 @@
 //     (in couplings, as Into the wall or the solid), `between_fluids` (in phases, and in couplings of two fluids),
 //     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli
 //     of `Solid`);
-//   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials, and
-//     behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that is
+//   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
+//     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that is
 //     stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on accelerations,
 //     sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
 #pragma once

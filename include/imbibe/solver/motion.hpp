@@ -115,6 +115,18 @@ public:
         });
     }
 
+    /// The same for velocities that a host has made greater since the last step. Speeds that only differ in how they
+    /// are rounded stay what they are: to look at a scene changes nothing.
+    void notice_greater_speeds() {
+        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+            if constexpr (P::moves) {
+                auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
+                if (const double now = this->greatest_speed(s); now > m.speed * (1 + 1e-5))
+                    m.speed = now;
+            }
+        });
+    }
+
 private:
     template <class P>
     struct Every : std::true_type {};
@@ -156,12 +168,13 @@ private:
                 f(std::get<Kept<P>>(kept).sums, s, State<P>::template offset<G> + c, k);
     }
     template <class S, class... F>
-    static void copy_kept(const S& s, AlignedVector<Real>& copy, TypeList<F...> list) {
+    void copy_kept(const S& s, AlignedVector<Real>& copy, TypeList<F...> list) {
         [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
             for (int k = 0; k < components(G::rank, dim); ++k)
-                std::copy_n(s.column(S::template offset<G> + k), s.size(),
+                copy_column(s.column(S::template offset<G> + k),
                             copy.data() +
-                                static_cast<std::size_t>(component_offset<dim, G, decltype(list)> + k) * s.stride());
+                                static_cast<std::size_t>(component_offset<dim, G, decltype(list)> + k) * s.stride(),
+                            s.size());
         };
         (one(std::type_identity<F>{}), ...);
     }
@@ -174,8 +187,11 @@ private:
                 Real* to = s.column(component_offset<dim, G, List> + c);
                 const Real* rate = s.column(component_offset<dim, Rate<G>, List> + c);
                 const Real* old = from.data() + (kept_offset<P, G> + k) * s.stride();
-                for (int i = 0; i < s.size(); ++i)
-                    to[i] = old[i] + by * rate[i];
+                const auto block = [&](int begin, int end) {
+                    for (int i = begin; i < end; ++i)
+                        to[i] = old[i] + by * rate[i];
+                };
+                loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
             }
         };
         (one(std::type_identity<F>{}), ...);

@@ -213,7 +213,7 @@ public:
     std::vector<TimeStepLimit> substep_limits() const requires subcycles { return limits_of<OfSubsteps>(); }
     /// How many of them the last step was made of.
     int substeps() const requires subcycles { return substeps_; }
-    /// The step that would be taken next, and what limits it.
+    /// The step that would be taken next, and what limits it: of speeds as they were after the last step or `prepare`.
     TimeStepLimit next_step() const {
         if (settings_.time_step > 0)
             return {settings_.time_step, "fixed", "settings"};
@@ -304,7 +304,7 @@ public:
         engine_.archive_motion(archive);
     }
     /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
-    /// by itself, and looks once more at what was changed since.
+    /// by itself, all of it once more, so that what was changed since counts.
     /// @throws Error for a scene without particles or coefficients out of range
     void prepare();
 
@@ -404,6 +404,15 @@ private:
         }
     }
 
+    // Is it a length, and does no particle see a neighbour twice?
+    void require_support(double support, const std::string& name) const {
+        require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
+                " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
+        for (double length : settings_.periodic_length)
+            require(length == 0 || length >= engine_.reach_of(support), name, ": support_radius = ", support,
+                    " m, with its skin ", engine_.reach_of(support), " m, is longer than a period of ", length,
+                    " m; a particle would see its neighbours twice");
+    }
     // Materials and coefficients, where a program may have changed them.
     void check_numbers() {
         if (!may_have_changed_)
@@ -418,9 +427,10 @@ private:
         (check_phase<P>(engine_.template state<P>()), ...);
     }
     template <class P>
-    static void check_phase(const State<P>& s) {
+    void check_phase(const State<P>& s) const {
         if (s.size() > 0) {
             s.material.check(detail::type_name<P>());
+            require_support(s.material.support_radius, detail::type_name<P>());
             detail::check_terms<P>(s.material, typename P::terms{});
         }
     }
@@ -513,12 +523,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
     material.check(name);
     require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
     const double support = material.support_radius == 0 ? settings_.support_radius : material.support_radius;
-    require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
-            " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
-    for (double length : settings_.periodic_length)
-        require(length == 0 || length >= engine_.reach_of(support), name, ": support_radius = ", support,
-                " m, with its skin ", engine_.reach_of(support), " m, is longer than a period of ", length,
-                " m; a particle would see its neighbours twice");
+    require_support(support, name);
     for (std::size_t k = 0; k < points.size(); ++k)
         for (int d = 0; d < dim; ++d)
             require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
@@ -569,21 +574,21 @@ std::vector<TimeStepLimit> Solver<dim, Real_, Integrator, Items...>::time_step_l
 
 template <int dim, class Real_, class Integrator, class... Items>
 void Solver<dim, Real_, Integrator, Items...>::prepare() {
+    const bool changed = may_have_changed_;
     check_numbers();
-    if (prepared_ && steps_ > 0)
+    if (prepared_ && steps_ > 0) {
+        if (changed)
+            engine_.notice_greater_speeds();
         return;
-    if (!prepared_) {
-        require(particles() > 0, "the scene has no particles; add some before the first step");
-        engine_.find_reference_neighbours();
     }
+    require(particles() > 0, "the scene has no particles; add some before the first step");
+    engine_.find_reference_neighbours();
     engine_.search_neighbours();
-    if (!prepared_) {
-        if (steps_ == 0) { // what is added to a run comes where there is room, or motion has brought the two together
-            note_overlaps(Couplings{});
-            note_doubts(Phases{}, Couplings{});
-        }
-        engine_.template run<typename Scene::Once>(0);
+    if (steps_ == 0) { // what is added to a run comes where there is room, or motion has brought the two together
+        note_overlaps(Couplings{});
+        note_doubts(Phases{}, Couplings{});
     }
+    engine_.template run<typename Scene::Once>(0);
     if constexpr (steps_are_defined && requires { Integrator::start(engine_); })
         Integrator::start(engine_);
     engine_.measure_motion();

@@ -78,6 +78,7 @@ public:
 
     /// Changes the number of particles; the values of those that stay are kept, new ones are zero.
     void resize(int count) {
+        ids.reserve(static_cast<std::size_t>(count)); // nothing has changed where there is no memory
         disturbed = true;
         const std::size_t wanted = stride_for(count);
         if (wanted != step) {
