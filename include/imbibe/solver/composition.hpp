@@ -340,11 +340,27 @@ struct Composition {
     }
     /// @endcond
     /// @cond
+    static constexpr bool check_once() {
+        constexpr Bits twice = written_by(OnceRows{}) & written_by(detail::Filter<KeepEveryStep, Nodes>{});
+        if constexpr (twice.any()) {
+            constexpr int column = [&] {
+                int k = 0;
+                while (!twice.test(k))
+                    ++k;
+                return k;
+            }();
+            using F = decltype(field_at_column<column>(Phases{}));
+            using P = detail::At<phase_of_column(column), Phases>;
+            return detail::break_rule<rules::OnceAndInEveryStep<F, P, remove_one_of_the_two_terms>>();
+        } else {
+            return true;
+        }
+    }
     // One rule after the other: what follows from one that is broken is not worth an error of its own.
     static constexpr bool check() {
         if constexpr (detail::ListRules<Items...>::check())
             if constexpr (all_declarations_fit(Nodes{}))
-                if constexpr (check_neighbourhoods(Nodes{}))
+                if constexpr (check_neighbourhoods(Nodes{}) && check_once())
                     return check_plan<true>() && check_plan<false>();
         return false;
     }

@@ -128,6 +128,11 @@ template <class Field, class TermOne, class TermTwo, class Phase, class Advice>
 struct SetTwice {
     static_assert(never<Field>, "imbibe: two terms of one phase set the same field");
 };
+/// Rule: what is computed once is not computed in every step as well, which would begin anew.
+template <class Field, class Phase, class Advice>
+struct OnceAndInEveryStep {
+    static_assert(never<Field>, "imbibe: terms compute this field once, and others in every step");
+};
 /// Rule: no two terms wait for each other.
 template <class TermOne, class TermTwo, class Advice>
 struct Cycle {
