@@ -303,8 +303,8 @@ public:
         engine_.forget_neighbours();
         engine_.archive_motion(archive);
     }
-    /// Sorts the particles, finds the neighbours that stay, evaluates what is computed once. The first step does it
-    /// by itself, all of it once more, so that what was changed since counts.
+    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once. The first
+    /// step does it by itself, and once more where somebody had a view to write since.
     /// @throws Error for a scene without particles or coefficients out of range
     void prepare();
 
@@ -581,14 +581,19 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
             engine_.notice_greater_speeds();
         return;
     }
-    require(particles() > 0, "the scene has no particles; add some before the first step");
-    engine_.find_reference_neighbours();
-    engine_.search_neighbours();
-    if (steps_ == 0) { // what is added to a run comes where there is room, or motion has brought the two together
-        note_overlaps(Couplings{});
-        note_doubts(Phases{}, Couplings{});
+    const bool anew = !prepared_ || changed;
+    if (anew) {
+        require(particles() > 0, "the scene has no particles; add some before the first step");
+        engine_.find_reference_neighbours();
     }
-    engine_.template run<typename Scene::Once>(0);
+    engine_.search_neighbours();
+    if (anew) {
+        if (steps_ == 0) { // what is added to a run comes where there is room, or motion has brought the two together
+            note_overlaps(Couplings{});
+            note_doubts(Phases{}, Couplings{});
+        }
+        engine_.template run<typename Scene::Once>(0);
+    }
     if constexpr (steps_are_defined && requires { Integrator::start(engine_); })
         Integrator::start(engine_);
     engine_.measure_motion();
