@@ -9,12 +9,12 @@
 //   build/cylinders 0.3                 with cylinders that fill 0.3 of the plane instead of 0.2
 //   build/cylinders 0.2 50              with 50 instead of 30 particles from one cylinder to the next
 //   python3 tools/render_plane.py out-cylinders --fluid glycerine --walls cylinders --times 10 -o cylinders.png
+#include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace sph = imbibe;
 using K = sph::QuinticSpline;
@@ -27,10 +27,14 @@ struct Contact : sph::Coupling<Glycerine, Cylinders, sph::Into<Cylinders, sph::P
                                sph::Into<Cylinders, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Glycerine, Cylinders, Contact>;
 
-int main(int argc, char** argv) {
+int main(int, char** argv) {
     sph::example::sleep_while_waiting(argv);
     try {
-        const double c = argc > 1 ? std::atof(argv[1]) : 0.2, across = argc > 2 ? std::atof(argv[2]) : 30;
+        // A cylinder is two particles wide at least, and so is the gap to the next.
+        const double across =
+            sph::example::number(argv, 2, "the number of particles from one cylinder to the next", 30, 10, 1000);
+        const double least = std::numbers::pi / sph::sq(across), most = std::numbers::pi * sph::sq(0.5 - 1 / across);
+        const double c = sph::example::number(argv, 1, "the share of the plane that cylinders fill", 0.2, least, most);
         const double L = 5e-3, dx = L / across, rho = 1260, mu = 1, g = 9.81,
                      radius = L * std::sqrt(c / std::numbers::pi);
         const double time_of_friction = rho * L * L / mu, sound_speed = 100 * mu / (rho * L);

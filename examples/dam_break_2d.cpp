@@ -6,12 +6,12 @@
 //   build/dam_break_2d                  then open out-dam-break-2d/water.pvd in ParaView
 //   build/dam_break_2d 64               with 64 instead of 32 particles across the column
 //   python3 tools/render_plane.py out-dam-break-2d --times 100 200 300 400 --columns 4 -o dam_break_2d.png
+#include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace sph = imbibe;
 using K = sph::WendlandC2;
@@ -23,10 +23,11 @@ struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapo
                                sph::Into<Water, sph::VolumeContinuity<K>>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Contact>;
 
-int main(int argc, char** argv) {
+int main(int, char** argv) {
     sph::example::sleep_while_waiting(argv);
     try {
-        const double L = 0.146, g = 9.81, dx = L / (argc > 1 ? std::atof(argv[1]) : 32), end = 0.7;
+        const double across = sph::example::number(argv, 1, "the number of particles across the column", 32, 4, 1000);
+        const double L = 0.146, g = 9.81, dx = L / across, end = 0.7;
         Scene scene({.gravity = {0, -g}, .support_radius = 3 * dx});
         Water water{{.density = 1000, .sound_speed = 20 * std::sqrt(2 * g * L)}};
         water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});

@@ -11,12 +11,12 @@
 //   build/elastic_gate 0.5              with a spacing of 0.5 mm instead of 1 mm
 //   build/elastic_gate 1 7.8e6 0.47     with the softer rubber: Young's modulus in Pa, Poisson's ratio
 //   python3 tools/render_plane.py out-elastic-gate --times 40 80 120 240 -o gate.png
+#include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace sph = imbibe;
 using K = sph::WendlandC2;
@@ -33,12 +33,12 @@ struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapo
                                sph::Into<Water, sph::VolumeContinuity<K>>> {};
 using Scene = sph::Solver<2, float, sph::Subcycled<Gate>, Water, Gate, Tank, Push, Contact>;
 
-int main(int argc, char** argv) {
+int main(int, char** argv) {
     sph::example::sleep_while_waiting(argv);
     try {
         // Resolution
-        const double dx = 1e-3 * (argc > 1 ? std::atof(argv[1]) : 1.0), H = 2.6 * dx, end = 0.4;
-        const double width = 0.1, depth = 0.14, thickness = 5e-3, height = 79e-3, length = 0.4;
+        const double dx = 1e-3 * sph::example::number(argv, 1, "the spacing in mm", 1, 0.1, 2.5), H = 2.6 * dx;
+        const double width = 0.1, depth = 0.14, thickness = 5e-3, height = 79e-3, length = 0.4, end = 0.4;
         const double root = dx / 2 + height + 3 * dx; // held, above what is free to move
 
         // Water, gate, tank
@@ -46,12 +46,12 @@ int main(int argc, char** argv) {
         Water water{{.density = 1000, .sound_speed = 10 * std::sqrt(2 * 9.81 * depth)}};
         water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
         const auto pool = scene.add(water, sph::fill(sph::Box<2>{{0, 0}, {width, depth}}, dx), dx);
-        const double E = argc > 2 ? std::atof(argv[2]) : 1.2e7, nu = argc > 3 ? std::atof(argv[3]) : 0.4;
-        const auto gate =
-            scene.add(Gate{{.density = 1100,
-                            .sound_speed = sph::sound_speed_of(E, nu, 1100),
-                            .shear_modulus = sph::shear_modulus_of(E, nu)}},
-                      sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, root}}, dx), dx);
+        const double E = sph::example::number(argv, 2, "Young's modulus in Pa", 1.2e7, 1e4, 1e12),
+                     nu = sph::example::number(argv, 3, "Poisson's ratio", 0.4, 0, 0.499);
+        const auto gate = scene.add(Gate{{.density = 1100,
+                                          .sound_speed = sph::sound_speed_of(E, nu, 1100),
+                                          .shear_modulus = sph::shear_modulus_of(E, nu)}},
+                                    sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, root}}, dx), dx);
         scene.hold(gate, [&](const auto& x) { return x[1] > dx / 2 + height; });
         auto walls = sph::tank(sph::Box<2>{{0, 0}, {length, 0.2}}, dx, 3, sph::Sides::y_high);
         for (const auto& x : sph::fill(sph::Box<2>{{width, root}, {width + thickness, 0.2}}, dx))

@@ -8,24 +8,25 @@
 //   build/gyroid 0.25                   with 0.25 of it solid
 //   build/gyroid 0.35 1e5               with a Young's modulus of 1e5 instead of 2e4 Pa
 //   python3 tools/render_sponge.py out-gyroid --view space --times 0 40 70 150 -o gyroid.png
+#include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
 #include <imbibe/presets/sponge.hpp>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace sph = imbibe;
 using Preset = sph::presets::SoundSponge;
 using Scene = Preset::Scene<float>;
 
-int main(int argc, char** argv) {
+int main(int, char** argv) {
     sph::example::sleep_while_waiting(argv);
     try {
         const double cell = 10e-3, side = 2 * cell, fine = 0.5e-3, dx = cell / 16, gap = 2e-3, depth = 16 * dx;
         const double g = 9.81, end = 0.15, drain = 10e-3, fall = std::sqrt(2 * g * (depth + gap + cell + drain));
-        const double fraction = argc > 1 ? std::atof(argv[1]) : 0.35, E = argc > 2 ? std::atof(argv[2]) : 2e4, nu = 0.3;
+        const double fraction = sph::example::number(argv, 1, "the solid fraction", 0.35, 0.05, 0.95);
+        const double E = sph::example::number(argv, 2, "Young's modulus in Pa", 2e4, 1e3, 1e12), nu = 0.3;
 
         Scene scene({.gravity = {0, 0, -g},
                      .support_radius = 2.6 * dx,
@@ -44,7 +45,12 @@ int main(int argc, char** argv) {
                                                       .support_radius = 2 * fine}},
                                       sph::fill(shape, fine), fine);
         scene.hold(sponge, [&](const auto& x) { return x[2] < 2 * fine; });
+        // A tray, to which nothing comes: water is taken away before.
+        const double tray = drain + 4 * dx;
+        scene.add(Preset::Vessel{{.density = 1000}},
+                  sph::fill(sph::Box<3>{{0, 0, -tray - dx}, {side, side, -tray}}, dx), dx);
         Preset::set_coefficients(scene.coupling<Preset::Contact>(), water);
+        Preset::set_coefficients(scene.coupling<Preset::Sides>(), water);
         std::printf("%s", sph::describe(scene).c_str());
 
         // What has gone through, and how far the sponge is pressed down meanwhile

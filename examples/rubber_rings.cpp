@@ -6,12 +6,12 @@
 //   build/rubber_rings 0.5              with a spacing of 0.5 mm instead of 1 mm
 //   build/rubber_rings 1 0              without the artificial stress: the second number is its epsilon, else 0.3
 //   python3 tools/render_plane.py out-rubber-rings --fluid rings --times 0 6 12 30 -o rings.png
+#include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace sph = imbibe;
 using K = sph::CubicSpline; // that of the paper
@@ -20,10 +20,11 @@ struct Rings : sph::Solid<sph::LinearState, sph::Continuity<K>, sph::VelocityGra
                           sph::StressForce<K>, sph::ArtificialStress<K>, sph::MonaghanViscosity<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Rings>;
 
-int main(int argc, char** argv) {
+int main(int, char** argv) {
     sph::example::sleep_while_waiting(argv);
     try {
-        const double dx = 1e-3 * (argc > 1 ? std::atof(argv[1]) : 1.0), epsilon = argc > 2 ? std::atof(argv[2]) : 0.3;
+        const double dx = 1e-3 * sph::example::number(argv, 1, "the spacing in mm", 1, 0.1, 5);
+        const double epsilon = sph::example::number(argv, 2, "epsilon of the artificial stress", 0.3, 0, 1);
         const double inner = 0.03, outer = 0.04, E = 2e6, nu = 0.3975, rho = 1000, end = 0.03;
 
         Scene scene({.support_radius = 2.6 * dx});

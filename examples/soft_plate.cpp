@@ -8,12 +8,12 @@
 //   build/soft_plate                    then open out-soft-plate/water.pvd and plate.pvd in ParaView
 //   build/soft_plate 10                 with a plate of 10 instead of 5 particles across
 //   python3 tools/render_plane.py out-soft-plate --walls sides --times 20 100 -o soft_plate.png
+#include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace sph = imbibe;
 using K = sph::WendlandC2;
@@ -29,11 +29,12 @@ struct Tank : sph::Coupling<Water, Sides, sph::Into<Sides, sph::PressureExtrapol
                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Plate, Sides, Load, Tank>;
 
-int main(int argc, char** argv) {
+int main(int, char** argv) {
     sph::example::sleep_while_waiting(argv);
     try {
         const double depth = 0.5, thickness = 0.05, g = 9.81, dx = 0.02, damping = 120, end = 0.1;
-        const double fine = thickness / (argc > 1 ? std::atof(argv[1]) : 5), E = 6.75e8, nu = 0.34;
+        const double across = sph::example::number(argv, 1, "the number of particles across the plate", 5, 2, 100);
+        const double fine = thickness / across, E = 6.75e8, nu = 0.34;
 
         Scene scene({.gravity = {0, -g}, .support_radius = 3 * dx});
         Water water{{.density = 1000, .sound_speed = 10 * std::sqrt(2 * g * depth)}};

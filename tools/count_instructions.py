@@ -13,8 +13,9 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
+
+from tool_errors import end_with, write_text
 
 
 def output_of(command):
@@ -22,16 +23,16 @@ def output_of(command):
     try:
         done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     except OSError as error:
-        sys.exit(f"count_instructions.py: cannot run {command[0]}: {error.strerror}")
+        end_with(f"cannot run {command[0]}: {error.strerror}")
     if done.returncode != 0:
-        sys.exit(f"count_instructions.py: failed: {' '.join(command)}\n{done.stdout}")
+        end_with(f"failed: {' '.join(command)}\n{done.stdout}")
     return done.stdout
 
 
 def number_after(word, text, command):
     found = re.search(rf"{word}\s*:?\s*(\d+)", text)
     if not found or int(found.group(1)) == 0:
-        sys.exit(f"count_instructions.py: no number after '{word}' in what this printed: {' '.join(command)}\n{text}")
+        end_with(f"no number after '{word}' in what this printed: {' '.join(command)}\n{text}")
     return int(found.group(1))
 
 
@@ -47,7 +48,7 @@ def count(program, case):
 def counts_of(program):
     """{"compiler": ..., "counts": {case: instructions}} of all cases of the program."""
     if not shutil.which("valgrind"):
-        sys.exit("count_instructions.py: valgrind is missing; run: sh tools/install_packages.sh benchmarks")
+        end_with("valgrind is missing; run: sh tools/install_packages.sh benchmarks")
     lines = output_of([program]).splitlines()
     compiler = [line.split(" ", 1)[1] for line in lines if line.startswith("compiler ")]
     cases = [line.split(" ", 1)[1] for line in lines if line.startswith("case ")]
@@ -60,12 +61,7 @@ def main():
     parser.add_argument("-o", "--output", default="counts.json", help="the file to write (default: counts.json)")
     arguments = parser.parse_args()
     found = counts_of(os.path.abspath(arguments.program))
-    try:
-        with open(arguments.output, "w") as file:
-            json.dump(found, file, indent=4)
-            file.write("\n")
-    except OSError as error:
-        sys.exit(f"count_instructions.py: cannot write {arguments.output}: {error.strerror}")
+    write_text(arguments.output, json.dumps(found, indent=4) + "\n")
     print(f"wrote {arguments.output}")
 
 

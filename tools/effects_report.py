@@ -12,10 +12,10 @@ the shortest kept.
 import argparse
 import os
 import re
-import sys
 
 from count_instructions import counts_of, output_of
 from benchmark_results import machine
+from tool_errors import end_with, read_text, write_text
 
 ROUNDS = 5
 
@@ -91,7 +91,7 @@ def table_of_reach(program):
 def written_between_marks(page, name, text):
     begin, end = f"<!-- {name}: begin. Written by tools/effects_report.py. -->\n", f"<!-- {name}: end -->"
     if begin not in page or end not in page:
-        sys.exit(f"effects_report.py: the page has lost the marks around the table '{name}'")
+        end_with(f"the page has lost the marks around the table '{name}'")
     before, rest = page.split(begin, 1)
     return before + begin + text + end + rest.split(end, 1)[1]
 
@@ -103,12 +103,10 @@ def main():
     parser.add_argument("--page", default=os.path.join(root, "docs", "effects.md"), help="the page to write into")
     arguments = parser.parse_args()
     folder = os.path.abspath(arguments.folder)
-    with open(arguments.page) as file:
-        page = file.read()
+    page = read_text(arguments.page)
     page = written_between_marks(page, "effects", table_of_effects(os.path.join(folder, "effects")))
     page = written_between_marks(page, "reach", table_of_reach(os.path.join(folder, "out_of_reach")))
-    with open(arguments.page, "w") as file:
-        file.write(page)
+    write_text(arguments.page, page)
     print(f"wrote {arguments.page}")
 
 

@@ -7,6 +7,7 @@ import os
 import xml.etree.ElementTree as ElementTree
 
 from missing_packages import end_without
+from tool_errors import end_with
 
 try:
     import numpy as np
@@ -25,18 +26,39 @@ class Snapshot:
 
 def read_series(path):
     """[(time in s, path of the snapshot)] of a `.pvd` file, by time."""
-    folder = os.path.dirname(path)
-    return sorted((float(entry.get("timestep")), os.path.join(folder, entry.get("file")))
-                  for entry in ElementTree.parse(path).iter("DataSet"))
+    folder, content = os.path.dirname(path), read_bytes(path)
+    try:
+        return sorted((float(entry.get("timestep")), os.path.join(folder, entry.get("file")))
+                      for entry in ElementTree.fromstring(content).iter("DataSet"))
+    except (ElementTree.ParseError, TypeError, ValueError):
+        end_with(f"{path} is damaged, or no list of snapshots")
 
 
 def read_snapshot(path):
     """The particles of one `.vtp` file."""
-    with open(path, "rb") as file:
-        content = file.read()
+    content = read_bytes(path)
+    if not content.rstrip().endswith(b"</VTKFile>"):
+        end_with(f"{path} is cut short, or no file of particles")
     start = content.find(b'<AppendedData encoding="raw">')
     if start < 0 or b"compressor=" in content[:start] or b'header_type="UInt64"' not in content[:start]:
         return read_with_vtk(path)
+    try:
+        return read_raw(content, start)
+    except (ElementTree.ParseError, AttributeError, KeyError, TypeError, ValueError):
+        end_with(f"{path} is damaged")
+
+
+def read_bytes(path):
+    """All of a file."""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError as error:
+        end_with(f"cannot read {path}: {error.strerror}")
+
+
+def read_raw(content, start):
+    """The particles of a file as imbibe writes it, whose numbers begin at `start`."""
     data = content.index(b"_", start) + 1
     tree = ElementTree.fromstring(content[:start] + b"</VTKFile>")
     order = "<" if tree.get("byte_order") == "LittleEndian" else ">"
@@ -62,16 +84,17 @@ def read_with_vtk(path):
     """The same through VTK's own reader."""
     try:
         from vtkmodules.util.numpy_support import vtk_to_numpy
-        from vtkmodules.vtkCommonCore import vtkDataArray
+        from vtkmodules.vtkCommonCore import vtkDataArray, vtkObject
         from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     except ImportError as missing:
-        raise SystemExit(f"{path} was not written by imbibe; to read it install python3-vtk9") from missing
+        end_with(f"{path} was not written by imbibe, and {missing.name} is missing; to read it install python3-vtk9")
+    vtkObject.GlobalWarningDisplayOff()  # the line below says enough
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
     found = reader.GetOutput()
     if reader.GetErrorCode() or found.GetPoints() is None:
-        raise SystemExit(f"VTK cannot read {path}")
+        end_with(f"VTK cannot read {path}")
     arrays, units = {}, {}
     for k in range(found.GetPointData().GetNumberOfArrays()):
         array = found.GetPointData().GetArray(k)

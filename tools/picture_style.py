@@ -1,8 +1,7 @@
 """How the pictures of imbibe look: one plain style, the colours, and saving to a file."""
 
-import sys
-
 from missing_packages import end_without
+from tool_errors import end_with
 
 try:
     import matplotlib
@@ -59,5 +58,5 @@ def save(figure, path, dpi):
     try:
         figure.savefig(path, dpi=dpi)
     except (OSError, ValueError) as error:
-        sys.exit(f"{sys.argv[0]}: cannot write {path}: {error}")
+        end_with(f"cannot write {path}: {error}")
     plt.close(figure)

@@ -11,10 +11,10 @@ stands for time may be pair evaluations, or instructions where tools/accuracy_in
 """
 
 import argparse
-import csv
-import sys
 
 from picture_style import CURVES, GREY, np, plt, save
+from matplotlib.ticker import LogFormatterSciNotation, LogLocator, NullFormatter
+from tool_errors import end_with, read_text, rows_of, whole_number
 
 COUNTED = "instructions"  # a column that not every table has
 MEASURED = ["error", "least error", "greatest error", "seconds [s]", "pair evaluations", "front", "failure"]
@@ -22,17 +22,20 @@ MEASURED = ["error", "least error", "greatest error", "seconds [s]", "pair evalu
 
 def read_rows(path):
     """The axes' names, and each row as {column: word}; what was measured as numbers."""
-    try:
-        with open(path, newline="") as file:
-            table = list(csv.DictReader(file))
-    except OSError as error:
-        sys.exit(f"plot_accuracy.py: cannot read {path}: {error.strerror}")
-    if not table or any(name not in table[0] for name in MEASURED):
-        sys.exit(f"plot_accuracy.py: {path} is not the table of an accuracy study")
-    for row in table:
+    heads, *lines = rows_of(path, read_text(path)) or [[]]
+    if not lines or any(name not in heads for name in MEASURED):
+        end_with(f"{path} is not the table of an accuracy study")
+    table = []
+    for k, line in enumerate(lines, 1):
+        if len(line) != len(heads):
+            end_with(f"{path} has a row, number {k}, that is not of {len(heads)} columns")
+        row = dict(zip(heads, line))
         for name in MEASURED[:-1] + [COUNTED] * (COUNTED in row):
+            if not is_number(row[name]):
+                end_with(f"{path} has a row, number {k}, with '{row[name]}' where the number of '{name}' should be")
             row[name] = float(row[name])
-    return [name for name in table[0] if name not in (*MEASURED, COUNTED)], table
+        table.append(row)
+    return [name for name in heads if name not in (*MEASURED, COUNTED)], table
 
 
 def is_beaten(row, rows, time):
@@ -49,6 +52,15 @@ def is_number(word):
     return True
 
 
+def label_ticks(axis):
+    """At twice and five times a power of ten as well, where fewer than two powers are in the picture."""
+    low, high = np.log10(axis.get_view_interval())
+    if np.floor(high) - np.ceil(low) + 1 < 2:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(LogFormatterSciNotation(minor_thresholds=(np.inf, np.inf)))
+        axis.set_minor_formatter(NullFormatter())
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", help="CSV file of a study")
@@ -57,7 +69,7 @@ def main():
     parser.add_argument("--time", default="seconds [s]", choices=["seconds [s]", "pair evaluations", COUNTED],
                         help="what is meant by time (default: seconds)")
     parser.add_argument("--title", help="a line above the picture")
-    parser.add_argument("--dpi", type=int, default=150)
+    parser.add_argument("--dpi", type=whole_number, default=150)
     arguments = parser.parse_args()
 
     axes, rows = read_rows(arguments.file)
@@ -65,10 +77,10 @@ def main():
     if join not in axes:
         parser.error(f"there is no axis '{join}'; the axes are: {', '.join(axes)}")
     if arguments.time not in rows[0]:
-        sys.exit(f"plot_accuracy.py: {arguments.file} has no instructions; tools/accuracy_instructions.py counts them")
+        end_with(f"{arguments.file} has no instructions; tools/accuracy_instructions.py counts them")
     drawn = [row for row in rows if np.isfinite(row["error"]) and row["error"] > 0 and row[arguments.time] > 0]
     if not drawn:
-        sys.exit(f"plot_accuracy.py: no run in {arguments.file} came to an end")
+        end_with(f"no run in {arguments.file} came to an end")
 
     others = [axis for axis in axes if axis != join]
     varied = [axis for axis in others if len({row[axis] for row in rows}) > 1]
@@ -97,6 +109,8 @@ def main():
                markerfacecolor="none", markeredgecolor=GREY, markeredgewidth=1.1, label="on the front", zorder=0)
     panel.set(xscale="log", yscale="log", ylabel="error",
               xlabel="processor time [s]" if arguments.time.startswith("seconds") else arguments.time)
+    label_ticks(panel.xaxis)
+    label_ticks(panel.yaxis)
     panel.grid(True, which="both")
     panel.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5), title=f"numbers: {join}", title_fontsize=8)
     if arguments.title:

@@ -8,28 +8,23 @@ Columns of different units get a panel each; names and units come from the first
 """
 
 import argparse
-import csv
 import os
 import re
-import sys
 
 from picture_style import CURVES, DASHES, np, plt, readable_unit, save
+from tool_errors import end_with, read_text, rows_of, whole_number
 
 
 def read_table(path):
     """{name: (unit, values)} of a CSV file whose first line names the columns as `name [unit]`. Columns of words are
     left out, and a last line that is not complete, as a run still going or killed may leave it."""
-    try:
-        with open(path, newline="") as file:
-            content = file.read()
-    except OSError as error:
-        sys.exit(f"plot_curves.py: cannot read {path}: {error.strerror}")
-    lines = list(csv.reader(content[: content.rfind("\n") + 1].splitlines()))
+    content = read_text(path)
+    lines = rows_of(path, content[: content.rfind("\n") + 1])
     if not lines:
-        sys.exit(f"plot_curves.py: {path} is empty")
+        end_with(f"{path} is empty")
     heads = [re.fullmatch(r"(.*?)(?: \[(.*)\])?", head).groups() for head in lines[0]]
     if any(len(line) != len(heads) for line in lines):
-        sys.exit(f"plot_curves.py: {path} has a row that is not of {len(heads)} columns")
+        end_with(f"{path} has a row that is not of {len(heads)} columns")
     table = {}
     for k, (name, unit) in enumerate(heads):
         try:
@@ -37,6 +32,13 @@ def read_table(path):
         except ValueError:
             pass
     return table
+
+
+def require_columns(path, table, names):
+    """Ends the program where the table that is from `path` lacks one of these columns."""
+    for name in names:
+        if name not in table:
+            end_with(f"{path} has no column '{name}'; it has: {', '.join(table)}")
 
 
 def read_arguments():
@@ -47,7 +49,7 @@ def read_arguments():
     parser.add_argument("--y", nargs="+", help="the columns to draw (default: all others)")
     parser.add_argument("--labels", nargs="+", help="what to call the files in the legend (default: their names)")
     parser.add_argument("--title", help="a line above the picture")
-    parser.add_argument("--dpi", type=int, default=150)
+    parser.add_argument("--dpi", type=whole_number, default=150)
     arguments = parser.parse_args()
     if arguments.labels and len(arguments.labels) != len(arguments.files):
         parser.error(f"{len(arguments.labels)} labels for {len(arguments.files)} files")
@@ -68,9 +70,7 @@ def main():
     labels = arguments.labels or names_of(arguments.files)
     columns = arguments.y or [name for name in tables[0] if name != arguments.x]
     for path, table in zip(arguments.files, tables):
-        for name in [arguments.x, *columns]:
-            if name not in table:
-                sys.exit(f"plot_curves.py: {path} has no column '{name}'; it has: {', '.join(table)}")
+        require_columns(path, table, [arguments.x, *columns])
 
     panels = {}
     for name in columns:

@@ -12,13 +12,13 @@ Particles are drawn as discs of their own area: the fluid coloured by its speed,
 import argparse
 import glob
 import os
-import sys
 
 import particle_files
 from picture_style import GREY, SPONGE, WALL, WATER, np, plt, save
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import EllipseCollection
 from matplotlib.colors import Normalize
+from tool_errors import end_with, whole_number
 
 
 def read_arguments():
@@ -27,15 +27,15 @@ def read_arguments():
     parser.add_argument("-o", "--output", default="plane.png", help="the picture (default: plane.png)")
     parser.add_argument("--times", nargs="+", type=float, metavar="MS",
                         help="which times, in ms (the nearest are taken)")
-    parser.add_argument("--count", type=int, default=4, help="how many times, evenly spaced (default: 4)")
+    parser.add_argument("--count", type=whole_number, default=4, help="how many times, evenly spaced (default: 4)")
     parser.add_argument("--fluid", default="water", help="the phase that is coloured by its speed (default: water)")
     parser.add_argument("--walls", nargs="*", default=["tank", "plates", "vessel", "wall"], help="phases drawn in grey")
     parser.add_argument("--speed", type=float, metavar="M/S", help="the speed at the dark end of the scale")
-    parser.add_argument("--columns", type=int, default=2, help="panels beside each other (default: 2)")
+    parser.add_argument("--columns", type=whole_number, default=2, help="panels beside each other (default: 2)")
     parser.add_argument("--slice", nargs=2, type=float, metavar="MM",
                         help="in three dimensions: only what lies between these two y, in mm, seen along y")
     parser.add_argument("--title", help="a line above the picture")
-    parser.add_argument("--dpi", type=int, default=150)
+    parser.add_argument("--dpi", type=whole_number, default=150)
     return parser.parse_args()
 
 
@@ -48,32 +48,48 @@ def flat(snapshot, between):
     return snapshot
 
 
+def nearest(series, time):
+    """The path of that snapshot of a phase which is nearest to a time."""
+    return min(series, key=lambda entry: abs(entry[0] - time))[1]
+
+
 def main():
     arguments = read_arguments()
     lists = {os.path.splitext(os.path.basename(path))[0]: particle_files.read_series(path)
              for path in glob.glob(os.path.join(arguments.folder, "*.pvd"))}
     if arguments.fluid not in lists:
-        sys.exit(f"render_plane.py: there is no {arguments.fluid}.pvd in {arguments.folder}")
+        end_with(f"there is no {arguments.fluid}.pvd in {arguments.folder}")
+    if not lists[arguments.fluid]:
+        end_with(f"{arguments.fluid}.pvd in {arguments.folder} has no snapshot")
     times = np.array([time for time, _ in lists[arguments.fluid]])
     wanted = np.array(arguments.times) * 1e-3 if arguments.times else np.linspace(times[0], times[-1], arguments.count)
     steps = [int(np.argmin(abs(times - time))) for time in wanted]
 
-    moments = [{name: flat(particle_files.read_snapshot(series[step][1]), arguments.slice)
-                for name, series in lists.items()} for step in steps]
+    moments = [{name: flat(particle_files.read_snapshot(nearest(series, times[step])), arguments.slice)
+                for name, series in lists.items() if series} for step in steps]
+    if any("velocity" not in moment[arguments.fluid].arrays for moment in moments):
+        end_with(f"the snapshots of {arguments.fluid} have no velocity")
     speeds = [np.linalg.norm(moment[arguments.fluid].arrays["velocity"], axis=1) for moment in moments]
-    fastest = arguments.speed or max(np.percentile(speed, 99.5) for speed in speeds) or 1.0
-    everything = np.vstack([snapshot.points for moment in moments for snapshot in moment.values()])
-    low, high = everything.min(axis=0) * 1e3, everything.max(axis=0) * 1e3
+    fastest = arguments.speed or max((np.percentile(speed, 99.5) for speed in speeds if len(speed)), default=0) or 1.0
+    everything = np.vstack([snapshot.points[:, :2] for moment in moments for snapshot in moment.values()]) * 1e3
+    if len(everything) == 0:
+        end_with("there is no particle" + (f" from y = {arguments.slice[0]:g} to {arguments.slice[1]:g} mm"
+                                           if arguments.slice else " in these snapshots"))
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    low, high = np.where(low < high, low, low - 1), np.where(low < high, high, high + 1)
 
     columns = min(arguments.columns, len(steps))
     rows = -(-len(steps) // columns)
     width = 4.6
+    height = width * (high[1] - low[1]) / (high[0] - low[0]) + 0.5
     figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", sharex=True, sharey=True,
-                                  figsize=(width * columns, (width * (high[1] - low[1]) / (high[0] - low[0]) + 0.5) * rows))
+                                  figsize=(width * columns, height * rows))
     scale = Normalize(0, fastest)
     for panel, step, moment, speed in zip(panels.flat, steps, moments, speeds):
         for name, snapshot in moment.items():
-            size = 2e3 * snapshot.constants["spacing"] / np.sqrt(np.pi)
+            if len(snapshot.points) == 0:
+                continue
+            size = 2e3 * particle_files.spacing_of(snapshot) / np.sqrt(np.pi)
             colours = (WATER(scale(speed)) if name == arguments.fluid
                        else WALL if name in arguments.walls else SPONGE(0.7))
             panel.add_collection(EllipseCollection(size, size, 0, units="xy", offsets=snapshot.points[:, :2] * 1e3,
@@ -85,6 +101,8 @@ def main():
         panel.set_visible(False)
     for panel in panels[-1]:
         panel.set_xlabel("x [mm]", fontsize=9)
+    for panel in panels[:, 0]:
+        panel.set_ylabel("z [mm]" if arguments.slice else "y [mm]", fontsize=9)
     bar = figure.colorbar(ScalarMappable(scale, WATER), ax=panels, orientation="horizontal", shrink=0.4, aspect=40)
     bar.set_label(f"speed of the {arguments.fluid} [m/s]", fontsize=9)
     bar.outline.set_edgecolor(GREY)

@@ -11,17 +11,13 @@ coloured by its speed, the sponge by how far it has moved from where it started.
 
 import argparse
 import os
-import sys
 
 import particle_files
 from picture_style import GREY, INK, SPONGE, WALL, WATER, np, plt, save
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize, to_rgb
 from splatting import Canvas, halved
-
-
-def fail(message):
-    sys.exit(f"render_sponge.py: {message}")
+from tool_errors import end_with, whole_number
 
 
 def read_arguments():
@@ -30,14 +26,14 @@ def read_arguments():
     parser.add_argument("-o", "--output", default="snapshots.png", help="the picture (default: snapshots.png)")
     parser.add_argument("--times", nargs="+", type=float, metavar="MS",
                         help="which times, in ms (the nearest are taken)")
-    parser.add_argument("--count", type=int, default=5, help="how many times, evenly spaced (default: 5)")
+    parser.add_argument("--count", type=whole_number, default=5, help="how many times, evenly spaced (default: 5)")
     parser.add_argument("--view", choices=("both", "cut", "space"), default="both", help="which views (default: both)")
     parser.add_argument("--thickness", type=float, metavar="MM",
                         help="how much is shown behind the cut, in mm (default: half a pore pitch if known, else 3.5)")
     parser.add_argument("--speed", type=float, metavar="M/S", help="the speed at the dark end of the blue scale")
     parser.add_argument("--displacement", type=float, metavar="MM", help="the same for the sponge's scale")
     parser.add_argument("--title", help="a line above the picture")
-    parser.add_argument("--dpi", type=int, default=150)
+    parser.add_argument("--dpi", type=whole_number, default=150)
     return parser.parse_args()
 
 
@@ -75,10 +71,10 @@ def read_moments(folder, times, count):
             series[phase] = particle_files.read_series(path)
     moving = [phase for phase in ("water", "sponge") if series.get(phase)]
     if not moving:
-        fail(f"there is no water.pvd or sponge.pvd with a snapshot in {folder}")
+        end_with(f"there is no water.pvd or sponge.pvd with a snapshot in {folder}")
     known = sorted(set.intersection(*({time for time, _ in series[phase]} for phase in moving)))
     if not known:
-        fail(f"water and sponge in {folder} have no time in common")
+        end_with(f"water and sponge in {folder} have no time in common")
     if times:
         chosen = [min(known, key=lambda time: abs(time - wanted * 1e-3)) for wanted in times]
     else:

@@ -13,16 +13,16 @@ ten others within 2.6 spacings, of 73 inside water).
 
 import argparse
 import os
-import sys
 
 import particle_files
 from picture_style import np
-from plot_curves import read_table
+from plot_curves import read_table, require_columns
+from tool_errors import end_with, write_text
 
 try:
     from scipy.spatial import cKDTree
 except ImportError:
-    sys.exit("sponge_bars.py: needs scipy; on Debian: sh tools/install_packages.sh studies")
+    end_with("needs scipy; on Debian: sh tools/install_packages.sh studies")
 
 SIDE = 35e-3  # m: the tank and the slab are as long as that, and as wide, but for a strip, which is periodic across
 SETTLED = 60e-3  # s: the sound of the impact, at 30 ms, has died away
@@ -66,11 +66,15 @@ def bars_of(folder):
             time)
 
     if not greatest:
-        sys.exit(f"sponge_bars.py: {folder} has no snapshot with water; run with --snapshots above 0")
+        end_with(f"{folder} has no snapshot with water; run with --snapshots above 0")
 
-    table = read_table(os.path.join(folder, "sponge.csv"))
-    least, most = table["least density of the water"][1], table["greatest density of the water"][1]
-    time = table["time"][1]
+    path = os.path.join(folder, "sponge.csv")
+    table = read_table(path)
+    names = ["least density of the water", "greatest density of the water", "time"]
+    require_columns(path, table, names)
+    least, most, time = (table[name][1] for name in names)
+    if len(time) == 0:
+        end_with(f"{path} has no rows yet")
 
     def said(what, scale, form):
         if what not in greatest:
@@ -103,8 +107,7 @@ def main():
     lines += [f"| {what} | " + " | ".join(run[what] for run in runs) + " |" for what in runs[0]]
     print("\n".join(lines))
     if arguments.output:
-        with open(arguments.output, "w") as file:
-            file.write("\n".join(lines) + "\n")
+        write_text(arguments.output, "\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

@@ -8,10 +8,10 @@ The tables are given in the order of the pore radii 0.5, 1, 1.5, 2 mm (pores) or
 """
 
 import argparse
-import sys
 
 from picture_style import np
-from plot_curves import read_table
+from plot_curves import read_table, require_columns
+from tool_errors import end_with, write_text
 
 
 def at(table, column, time):
@@ -116,8 +116,11 @@ def main():
     parser.add_argument("-o", "--output", help="also write the table to this file, in Markdown")
     arguments = parser.parse_args()
     tables = [read_table(path) for path in arguments.files]
-    if any(len(t["time"][1]) == 0 for t in tables):
-        sys.exit("sponge_claims.py: a table has no rows yet")
+    columns = ["time", "mean displacement", *(["drained fraction"] if arguments.study == "pores" else [])]
+    for path, table in zip(arguments.files, tables):
+        require_columns(path, table, columns)
+        if len(table["time"][1]) == 0:
+            end_with(f"{path} has no rows yet")
     rows = (claims_on_pores if arguments.study == "pores" else claims_on_support)(tables)
     order = "r = 0.5, 1, 1.5, 2 mm" if arguments.study == "pores" else "h = 1, 1.1, 1.2, 1.3 mm"
     lines = [f"| claim ({arguments.composition}) | {order} | |", "|---|---|---|"]
@@ -126,8 +129,7 @@ def main():
     lines += [f"| {claim} | {numbers} | {said} |" for claim, numbers, said in rows]
     print("\n" + "\n".join(lines))
     if arguments.output:
-        with open(arguments.output, "w") as file:
-            file.write("\n".join(lines) + "\n")
+        write_text(arguments.output, "\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

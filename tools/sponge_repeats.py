@@ -11,20 +11,19 @@ variance within the cases, divided by the number of repeats; like the others it 
 """
 
 import argparse
-import sys
 
 from picture_style import CURVES, np, plt, readable_unit, save
-from plot_curves import read_table
+from plot_curves import read_table, require_columns
+from tool_errors import end_with, whole_number
 
 
 def read_curves(files, repeats, column):
     """times [s] and curves[case, repeat, time] of a column, up to the time that all runs have reached; its unit."""
     tables = [read_table(path) for path in files]
     for path, table in zip(files, tables):
-        if column not in table or "time" not in table:
-            sys.exit(f"sponge_repeats.py: {path} has no column '{column}'; it has: {', '.join(table)}")
+        require_columns(path, table, ["time", column])
         if len(table["time"][1]) < 2:
-            sys.exit(f"sponge_repeats.py: {path} has fewer than two rows")
+            end_with(f"{path} has fewer than two rows")
     end = min(table["time"][1][-1] for table in tables)
     times = np.linspace(0, end, 1001)
     curves = np.array([np.interp(times, table["time"][1], table[column][1]) for table in tables])
@@ -58,7 +57,7 @@ def main():
     parser.add_argument("--until", type=float, nargs="+", default=[0.15, 0.25, 0.5], help="times, s; those after the end of a run count as it (default: 0.15 0.25 0.5)")
     parser.add_argument("--labels", nargs="+", help="what to call the cases")
     parser.add_argument("-o", "--output", default="repeats.png", help="the picture to write (default: repeats.png)")
-    parser.add_argument("--dpi", type=int, default=150)
+    parser.add_argument("--dpi", type=whole_number, default=150)
     arguments = parser.parse_args()
     if arguments.repeats < 2 or len(arguments.files) % arguments.repeats:
         parser.error(f"{len(arguments.files)} files are not {arguments.repeats} runs a case; 2 or more are needed")
@@ -72,7 +71,7 @@ def main():
     times, curves, unit = read_curves(arguments.files, arguments.repeats, arguments.column)
     greatest = np.abs(curves).max()
     if greatest == 0:
-        sys.exit(f"sponge_repeats.py: '{arguments.column}' is 0 in all runs")
+        end_with(f"'{arguments.column}' is 0 in all runs")
     within, between, by_chance = spreads(curves)
     print("| until, s | runs of one case part by | means of the cases part by | by chance they would by |")
     print("|---|---|---|---|")

@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
 
     Scene scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx});
     Water water{{.density = 1000, .sound_speed = 28}};
-    water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
+    water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
     scene.add(water, sph::fill(column, dx), dx);
     scene.add(Tank{{.density = 1000}}, sph::tank(room, dx, 3), dx);
 

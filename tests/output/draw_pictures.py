@@ -94,7 +94,9 @@ def tool(name, *arguments, fails=None):
     if fails is None:
         assert done.returncode == 0, f"{name} {arguments}\n{done.stdout}{done.stderr}"
     else:
-        assert done.returncode != 0 and fails in done.stderr, f"{name} {arguments} said: {done.stderr}"
+        last = (done.stderr.splitlines() or [""])[-1]  # behind the usage, where there is one
+        assert done.returncode in (1, 2) and last.startswith(name + ": ") and fails in last, \
+            f"{name} {arguments} ended with {done.returncode} and said: {done.stderr}"
         assert "Traceback" not in done.stderr, done.stderr
 
 
@@ -110,6 +112,71 @@ def blue(r, g, b):
 
 def brown(r, g, b):
     return (r > b + 0.1) & (r > 0.2)
+
+
+STUDY = "spacing,error,least error,greatest error,seconds [s],pair evaluations,front,failure\n"
+
+
+def refuse_bad_input(folder, run):
+    """Files that are missing, damaged or of another kind, and options out of range: one line each, and no traceback."""
+    bad = os.path.join(folder, "bad")
+    os.makedirs(bad)
+
+    def written(name, content):
+        path = os.path.join(bad, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def damaged_run(name, file, content):
+        """The run once more, with another content of one file; without that file if there is none."""
+        copy = os.path.join(bad, name)
+        shutil.copytree(run, copy)
+        os.remove(os.path.join(copy, file))
+        if content is not None:
+            written(os.path.join(name, file), content)
+        return copy
+
+    picture, nowhere = os.path.join(bad, "x.png"), os.path.join(bad, "none", "x")
+    no_text = written("no_text.csv", b"\x89PNG\r\n\xff\n")
+    tool("plot_curves.py", no_text, "-o", picture, fails="it is no text")
+    tool("plot_accuracy.py", no_text, "-o", picture, fails="it is no text")
+    row = "0.1,1e-3,1e-3,1e-3,0.5,1000,0,\n"
+    tool("plot_accuracy.py", written("study.csv", STUDY + row + row.replace("1e-3", "4e-3")), "-o", picture)
+    for table, said in ((STUDY + row + "0.1,1e-3\n", "number 2, that is not of 8 columns"),
+                        (STUDY + row + row.replace("0.5", "long"), "number 2, with 'long'"),
+                        ("a,b\n1,2\n", "not the table of an accuracy study")):
+        tool("plot_accuracy.py", written("bad_study.csv", table), "-o", picture, fails=said)
+
+    tables = [written(f"{k}.csv", f"time [s],mean displacement [m]\n0,0\n0.1,{k}e-3\n") for k in range(4)]
+    tool("sponge_claims.py", "pores", "sound", *tables, fails="0.csv has no column 'drained fraction'")
+    tool("sponge_claims.py", "support", "sound", *tables, "-o", nowhere, fails="cannot write")
+    tool("effects_report.py", bad, "--page", nowhere, fails="cannot read")
+
+    with open(os.path.join(run, "water_000003.vtp"), "rb") as file:
+        snapshot = file.read()
+    runs = [(damaged_run("list", "water.pvd", "<VTKFile><Coll"), "water.pvd is damaged"),
+            (damaged_run("entry", "water.pvd", '<VTKFile><DataSet file="x"/></VTKFile>'), "water.pvd is damaged"),
+            (damaged_run("missing", "water_000003.vtp", None), "No such file"),
+            (damaged_run("short", "water_000003.vtp", snapshot[:len(snapshot) // 2]), "is cut short"),
+            (damaged_run("empty", "water_000003.vtp", ""), "is cut short"),
+            (damaged_run("hole", "water_000003.vtp", snapshot[:-60000] + snapshot[-50:]), "is damaged")]
+    for damaged, said in runs:
+        tool("render_plane.py", damaged, "-o", picture, "--times", "60", fails=said)
+    tool("render_sponge.py", damaged, "-o", picture, "--times", "60", fails=said)
+    plane = ("render_plane.py", run, "-o", picture, "--dpi", "40", "--walls", "wall")
+    for option, number in (("--count", "0"), ("--count", "two"), ("--columns", "-2")):
+        tool(*plane, option, number, fails=f"'{number}' must be a whole number above 0")
+    tool(*plane, "--slice", "900", "901", fails="no particle from y = 900 to 901 mm")
+    tool(*plane, "--slice", "-1", "1", "--count", "1")
+    tool("render_plane.py", run, "--fluid", "sponge", "-o", picture, fails="no velocity")
+    tool("render_sponge.py", run, "-o", picture, "--count", "0", fails="'0' must be a whole number above 0")
+    try:
+        import scipy  # noqa: F401
+    except ImportError:
+        return
+    tool("sponge_bars.py", nowhere, fails="cannot read")
 
 
 def main():
@@ -150,6 +217,7 @@ def main():
     tool("plot_curves.py", tables[0], "-o", os.path.join(folder, "overview.png"), "--title", "Sponge, r = 0.5 h")
     tool("plot_curves.py", tables[0], "--y", "speed", "-o", curves, fails="has no column 'speed'")
     tool("plot_curves.py", os.path.join(folder, "none.csv"), "-o", curves, fails="cannot read")
+    refuse_bad_input(folder, run)
     print("pictures drawn in", folder)
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Runs every small example once, coarse where it takes a resolution, and checks that it comes to its end, writes what it
-says it writes, and prints a result that is not far from what its first lines promise.
+says it writes, and prints a result that is not far from what its first lines promise; and that it refuses arguments that
+are no numbers or out of range.
 
     python3 tests/output/run_examples.py build
 """
@@ -21,6 +22,17 @@ EXAMPLES = [
     ("soft_plate", [], "out-soft-plate/plate.pvd", 0.1, (r"hangs down by ([\d.]+) mm", 1.9, 2.5)),
     ("cylinders", ["0.2", "20"], "out-cylinders/glycerine.pvd", None, (r"F/\(mu U\) = ([\d.]+)", 46, 57)),
     ("gyroid", [], "out-gyroid/sponge.pvd", 0.15, (r"(\d+) % of the water is through", 5, 100)),
+]
+
+# (example, arguments, what it says before it has begun)
+REFUSED = [
+    ("dam_break_2d", ["--help"], "the number of particles across the column, '--help', must be a number from 4 to 1000"),
+    ("elastic_gate", ["abc"], "the spacing in mm, 'abc', must be a number"),
+    ("elastic_gate", ["1", "1.2e7", "0.5"], "Poisson's ratio, '0.5', must be a number from 0 to 0.499"),
+    ("rubber_rings", ["1", "0.3x"], "epsilon of the artificial stress, '0.3x', must be a number"),
+    ("soft_plate", [""], "the number of particles across the plate, '', must be a number"),
+    ("cylinders", ["0.9"], "the share of the plane that cylinders fill, '0.9', must be a number"),
+    ("gyroid", ["nan"], "the solid fraction, 'nan', must be a number"),
 ]
 
 
@@ -53,9 +65,17 @@ def run(program, arguments, file, end, promise):
     print(f"run_examples: {os.path.basename(program)}, {len(times)} moments{said}", flush=True)
 
 
+def refused(program, arguments, expected):
+    done = subprocess.run([program, *arguments], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
+    if done.returncode != 2 or not done.stdout.startswith(f"{os.path.basename(program)}: {expected}"):
+        fail(program, *arguments, "ended with", done.returncode, "and said:\n" + done.stdout[-2000:])
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
+    for example, *rest in REFUSED:
+        refused(os.path.join(os.path.abspath(sys.argv[1]), example), *rest)
     for example, *rest in EXAMPLES:
         run(os.path.join(os.path.abspath(sys.argv[1]), example), *rest)
 

@@ -19,7 +19,7 @@ add_test(NAME output_read_vtk
 add_test(NAME output_pictures
     COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/draw_pictures.py ${output_folder})
 set_tests_properties(output_read_vtk output_pictures PROPERTIES
-    LABELS unit TIMEOUT 300 FIXTURES_REQUIRED output_files)
+    LABELS unit TIMEOUT 600 FIXTURES_REQUIRED output_files)
 
 # The example itself, some steps of it; the small ones, each once; and, which takes minutes, a hundred kills. Label
 # `examples`: not in the default command, because the sponge takes a compiler long.
