@@ -31,7 +31,8 @@ template <int dim, class Real>
 class IMBIBE_PER_BUILD NeighbourSearch {
 public:
     /// n rows, one for each point, and dim columns; views of a scene's positions fit without a copy.
-    using Positions = Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, dim>, 0, Eigen::OuterStride<>>;
+    using Positions =
+        Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, dim, Eigen::ColMajor>, 0, Eigen::OuterStride<>>;
 
     /// @param support the support radius, m, for all pairs of sets that do not get their own by `set_support`
     /// @param periodic lower ends and lengths of the periodic sides, m; each length must be at least the support
