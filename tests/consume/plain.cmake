@@ -1,5 +1,5 @@
-# One call of the compiler with -I, without CMake and without OpenMP; the same without run-time type information, and in a
-# host that has changed the order of Eigen's matrices.
+# One call of the compiler with -I, without CMake and without OpenMP; the same without run-time type information, and in
+# a host that has changed the order of Eigen's matrices.
 include(${CMAKE_CURRENT_LIST_DIR}/compile.cmake)
 compile(-I${INCLUDE} ${EIGEN} ${CMAKE_CURRENT_LIST_DIR}/small/main.cpp -o ${FOLDER}/plain)
 run(${FOLDER}/plain)

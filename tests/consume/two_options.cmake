@@ -1,5 +1,5 @@
-# Two parts of a program, compiled with different options: each must do to the last bit what it does when it is alone, in
-# whichever order they are linked.
+# Two parts of a program, compiled with different options: each must do to the last bit what it does when it is alone,
+# in whichever order they are linked.
 include(${CMAKE_CURRENT_LIST_DIR}/compile.cmake)
 separate_arguments(FAST UNIX_COMMAND "${FAST}")
 set(from ${CMAKE_CURRENT_LIST_DIR}/two_options)
@@ -34,7 +34,8 @@ endfunction()
 # Without optimisation and OpenMP, and with all of it (FAST).
 check_parts(${FOLDER}/all -O0 "${FAST}")
 # Two instruction sets whose packs are equally wide, where FAST, which is for this processor, has both.
-execute_process(COMMAND ${COMPILER} ${FAST} -x c++ -dM -E ${from}/main.cpp OUTPUT_VARIABLE macros COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${COMPILER} ${FAST} -x c++ -dM -E ${from}/main.cpp OUTPUT_VARIABLE macros
+    COMMAND_ERROR_IS_FATAL ANY)
 if(macros MATCHES "__AVX2__" AND macros MATCHES "__FMA__")
     set(fused -O2 -ffp-contract=fast)
     check_parts(${FOLDER}/instructions "${fused};-mavx" "${fused};-mavx2;-mfma")

@@ -61,15 +61,15 @@ public:
     auto view(F) {
         static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
         constexpr int columns = components(F::rank, dim);
-        return FieldView<FieldValues<Real, columns>>(
-            field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+        return FieldView<FieldValues<Real, columns>>(field(F{}), n, columns,
+                                                     Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
     }
     template <class F>
     auto view(F) const {
         static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
         constexpr int columns = components(F::rank, dim);
-        return FieldView<const FieldValues<Real, columns>>(
-            field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+        return FieldView<const FieldValues<Real, columns>>(field(F{}), n, columns,
+                                                           Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
     }
     search::Points<dim, Real> points() const { return points_of(position); }
     template <class F>
