@@ -5,6 +5,8 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/imbibe)
 install(TARGETS imbibe EXPORT imbibe-targets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT imbibe-targets NAMESPACE imbibe:: DESTINATION ${package_folder})
+# A library of the project around this one that hands on imbibe::imbibe is exported from its build folder only if this is.
+export(EXPORT imbibe-targets NAMESPACE imbibe:: FILE ${PROJECT_BINARY_DIR}/imbibe-targets.cmake)
 
 # Before 1.0 a new minor version may change names, so 0.1 does not pass for 0.2.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/imbibe-config-version.cmake
@@ -16,6 +18,11 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} 
 get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 if(eigen_folder MATCHES "/eigen3$")
     set(eigen_as_system " -isystem ${eigen_folder}")
+endif()
+if(IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+    set(include_folder ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+else()
+    set(include_folder "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
 endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/imbibe.pc.in ${PROJECT_BINARY_DIR}/imbibe.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/imbibe.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)

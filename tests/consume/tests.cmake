@@ -65,6 +65,7 @@ add_way(two_options two_options "-DFAST=${fast}")
 set_tests_properties(consume_two_options PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive")
 add_way(pkg_config installed -DPREFIX=${prefix} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})
 set_tests_properties(consume_pkg_config PROPERTIES FIXTURES_REQUIRED imbibe_installed)
+add_way(folders folders -DPKG_CONFIG=${IMBIBE_PKG_CONFIG} -DEIGEN_PACKAGE=${Eigen3_DIR})
 if(IMBIBE_DPKG_DEB)
     add_way(package installed -DPACKAGE_OF=${PROJECT_BINARY_DIR} -DCPACK=${CMAKE_CPACK_COMMAND}
             -DDPKG_DEB=${IMBIBE_DPKG_DEB} "-DLINTIAN=$<$<BOOL:${IMBIBE_LINTIAN}>:${IMBIBE_LINTIAN}>"
