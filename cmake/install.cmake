@@ -5,7 +5,8 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/imbibe)
 install(TARGETS imbibe EXPORT imbibe-targets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT imbibe-targets NAMESPACE imbibe:: DESTINATION ${package_folder})
-# A library of the project around this one that hands on imbibe::imbibe is exported from its build folder only if this is.
+# A library of the project around this one that hands on imbibe::imbibe is exported from its build folder only if this
+# is, too.
 export(EXPORT imbibe-targets NAMESPACE imbibe:: FILE ${PROJECT_BINARY_DIR}/imbibe-targets.cmake)
 
 # Before 1.0 a new minor version may change names, so 0.1 does not pass for 0.2.
