@@ -1,5 +1,6 @@
 # Compiles PROGRAM and compares what the compiler says with the lines `// expect: TEXT` in it: every TEXT must appear in
-# the output, and exactly one line may be an error. `// expect: nothing` asks for a program that compiles.
+# the output, and exactly one line may be an error. `// expect: nothing` asks for a program that compiles. A line
+# `// options: OPTIONS` has options of the compiler that the program is for.
 # Without a PROGRAM it precompiles scene.hpp, which all of them begin with, as HEADER: three quarters of the time.
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 list(APPEND flags -std=c++20 -I${INCLUDE})
@@ -13,7 +14,12 @@ if(NOT PROGRAM)
         COMMAND_ERROR_IS_FATAL ANY)
     return()
 endif()
-if(COMPILER_ID MATCHES Clang)
+file(STRINGS ${PROGRAM} options REGEX "^// options: ")
+if(options) # what is precompiled was so without them
+    string(REPLACE "// options: " "" options "${options}")
+    separate_arguments(options UNIX_COMMAND "${options}")
+    list(APPEND flags ${options})
+elseif(COMPILER_ID MATCHES Clang)
     list(APPEND flags -include-pch ${HEADER}.hpp.gch)
 else()
     list(APPEND flags -include ${HEADER}.hpp)

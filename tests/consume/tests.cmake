@@ -35,6 +35,7 @@ if(imbibe_march_native)
 endif()
 find_program(IMBIBE_PKG_CONFIG pkg-config REQUIRED)
 find_program(IMBIBE_DPKG_DEB dpkg-deb)
+find_program(IMBIBE_LINTIAN lintian) # where there is one, it looks at the package
 function(add_way name script)
     add_test(NAME consume_${name}
         COMMAND ${CMAKE_COMMAND} -DCOMPILER=${CMAKE_CXX_COMPILER} -DCOMPILER_ID=${CMAKE_CXX_COMPILER_ID}
@@ -64,9 +65,11 @@ add_way(two_options two_options "-DFAST=${fast}")
 set_tests_properties(consume_two_options PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive")
 add_way(pkg_config installed -DPREFIX=${prefix} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})
 set_tests_properties(consume_pkg_config PROPERTIES FIXTURES_REQUIRED imbibe_installed)
+add_way(folders folders -DPKG_CONFIG=${IMBIBE_PKG_CONFIG} -DEIGEN_PACKAGE=${Eigen3_DIR})
 if(IMBIBE_DPKG_DEB)
     add_way(package installed -DPACKAGE_OF=${PROJECT_BINARY_DIR} -DCPACK=${CMAKE_CPACK_COMMAND}
-            -DDPKG_DEB=${IMBIBE_DPKG_DEB} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})
+            -DDPKG_DEB=${IMBIBE_DPKG_DEB} "-DLINTIAN=$<$<BOOL:${IMBIBE_LINTIAN}>:${IMBIBE_LINTIAN}>"
+            -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})
 else()
     message(STATUS "Without dpkg-deb there is no test of the Debian package")
 endif()

@@ -189,6 +189,7 @@ TEST_CASE("Bad input to the neighbour search is refused by name", "[search]") {
     NeighbourSearch<2, double> search(0.1);
     Matrix<2, double> x = Matrix<2, double>::Zero(3, 2);
     const int set = search.add(x);
+    CHECK_THROWS_WITH((NeighbourSearch<2, double>(0.1, {}, 1025)), imbibe_test::contains("threads = 1025"));
     CHECK_THROWS_WITH(search.count(set, 0), imbibe_test::contains("update()"));
     search.update();
     CHECK_THROWS_WITH(search.count(set, 3), imbibe_test::contains("from 0 to 2"));

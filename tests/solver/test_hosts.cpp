@@ -24,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -372,6 +373,52 @@ TEST_CASE("What is added is checked across periodic sides and against what is th
     Scene narrow(s); // 0.7 m fit into the period, with their skin they do not
     REQUIRE_THROWS_WITH(narrow.add(Water{{.density = 1000, .sound_speed = 10, .support_radius = 0.7}}, {{0, 0}}, dx),
                         imbibe_test::contains("1.05 m, is longer than a period of 1 m"));
+}
+
+TEST_CASE("A few particles are added beside many unless they are too near to one of them, also across a side",
+          "[hosts]") {
+    auto s = settings();
+    s.periodic_length = {1, 0};
+    using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water>;
+    const auto there = block(0, 0, 1, 0.5);
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> direction(0, 2 * std::numbers::pi);
+    int refused = 0;
+    for (std::size_t k = 0; k < there.size(); k += 7)
+        for (const double distance : {0.9e-3, 1.1e-3}) {
+            Scene scene(s);
+            auto body = there;
+            for (auto& x : body)
+                x[0] -= 0.5 * dx; // a column of them is at the side
+            scene.add(water, body, dx);
+            const double angle = direction(generator);
+            auto place = body[k];
+            place += distance * dx * Scene::Point(std::cos(angle), std::sin(angle));
+            CAPTURE(k, distance, angle);
+            try {
+                scene.add(water, {place}, dx);
+                CHECK(distance > 1e-3);
+                CHECK(scene.particles() == static_cast<long long>(body.size()) + 1);
+            } catch (const sph::Error& error) {
+                CHECK(distance < 1e-3);
+                // The count is of all that are looked at: the particles, and those at one side as seen from the other.
+                const auto images =
+                    std::count_if(body.begin(), body.end(), [](const auto& x) { return x[0] < 1e-3 * dx; });
+                const auto all = static_cast<long long>(body.size()) + 1 + images;
+                CHECK_THAT(error.what(), imbibe_test::contains(sph::text(" of ", all, " coincide")) ||
+                                             imbibe_test::contains(sph::text(" of ", all + 1, " coincide")));
+                CHECK(scene.particles() == static_cast<long long>(body.size()));
+                ++refused;
+            }
+        }
+    CHECK(refused > 5);
+
+    // Particles that a program has put into one place are not the fault of those added elsewhere.
+    Scene scene(s);
+    const auto handle = scene.add(water, there, dx);
+    scene[handle][sph::position].row(1) = scene[handle][sph::position].row(0);
+    CHECK_NOTHROW(scene.add(water, {{0.5, 0.9}}, dx));
+    CHECK_THROWS_WITH(scene.add(water, {{0.5, 0.9}}, dx), imbibe_test::contains("coincide"));
 }
 
 } // namespace hosts_test

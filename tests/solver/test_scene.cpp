@@ -550,7 +550,9 @@ TEST_CASE("Shortened steps are shorter whatever limits them", "[scene]") {
     REQUIRE(scene.next_step().reason == "max_time_step");
     scene.shorten_steps(0.5);
     CHECK(scene.next_step().seconds == 0.5e-6);
-    CHECK_THROWS_WITH(DropScene({.support_radius = 0.26, .threads = -3}), imbibe_test::contains("threads = -3"));
+    for (int threads : {-3, 1025, 100000})
+        CHECK_THROWS_WITH(DropScene({.support_radius = 0.26, .threads = threads}),
+                          imbibe_test::contains("threads = " + std::to_string(threads)));
 }
 
 } // namespace scene_test

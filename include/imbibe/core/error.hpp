@@ -10,6 +10,12 @@
 #include <string>
 #include <string_view>
 
+// The compiler would take every number for a finite one, and drop the checks that ask: NaN in a scene, and places in
+// memory that follow from it, would go unnoticed.
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "imbibe: -ffast-math and -Ofast drop the checks for NaN; add -fno-finite-math-only or leave them out"
+#endif
+
 namespace imbibe {
 
 /// Thrown for bad input and for runs that go wrong. The message names the value, its unit, the allowed range

@@ -49,16 +49,6 @@ struct MaskStorage<Real, 1> {
     using type = bool;
 };
 
-// Should quotients and roots of whole AVX-512 registers begin with the processor's estimate? On most processors the
-// instructions hold up all else. On Zen they work beside the multiply-adds, and the estimate and its Newton's steps cost
-// a tenth of a pair loop (docs/speed.md). Compilers that do not know Zen 4 take it for a Zen 3 that has AVX-512.
-#if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__) && !defined(__znver3__) && !defined(__znver4__) &&                 \
-    !defined(__znver5__)
-#define IMBIBE_ESTIMATES 1
-#else
-#define IMBIBE_ESTIMATES 0
-#endif
-
 /// Are a pack's quotients and roots of this kind made from estimates?
 template <class Real, int width>
 inline constexpr bool estimates = IMBIBE_ESTIMATES != 0 && width * sizeof(Real) == 64;
@@ -103,7 +93,7 @@ IMBIBE_INLINE Doubles root(Doubles x) {
 
 /// The outcome of comparing two packs: one truth value per lane.
 template <class Real, int width>
-struct Mask {
+struct IMBIBE_PER_BUILD Mask {
     using Lanes = typename detail::MaskStorage<Real, width>::type;
     Lanes lanes;
 
@@ -123,7 +113,7 @@ struct Mask {
 
 /// `width` numbers of type Real that go through the same arithmetic. Plain numbers mix in and are converted to Real.
 template <class Real, int width>
-struct Pack {
+struct IMBIBE_PER_BUILD Pack {
     using Lanes = typename detail::PackStorage<Real, width>::type;
     using Scalar = Real;
     static constexpr int size = width;

@@ -55,10 +55,15 @@ private:
 } // namespace detail
 #endif
 
+/// The most threads that a scene or a search takes: where a machine cannot make that many, the program would end
+/// without a word.
+inline constexpr int most_threads = 1024;
+
 /// How many threads a loop may use at most: the machine's, or 1 without OpenMP.
 IMBIBE_PER_BUILD inline int available_threads() {
 #ifdef _OPENMP
-    return omp_get_max_threads();
+    const int threads = omp_get_max_threads();
+    return threads < most_threads ? threads : most_threads;
 #else
     return 1;
 #endif

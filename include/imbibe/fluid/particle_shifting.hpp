@@ -75,9 +75,9 @@ struct ShiftingNeighbours {
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
         constexpr int dim = std::remove_cvref_t<decltype(a)>::dimension;
-        const auto near = ab.relative_value(Kernel{}, a.material.spacing);
+        const auto ratio = ab.relative_value(Kernel{}, a.material.spacing);
         const auto weight = b[mass] / b[density] * ab.gradient(Kernel{});
-        return values(along(ab, weight * (1 + 0.2 * sq(sq(near)))), -(weight * squared_norm(ab.offset)) * (1.0 / dim));
+        return values(along(ab, weight * (1 + 0.2 * sq(sq(ratio)))), -(weight * squared_norm(ab.offset)) * (1.0 / dim));
     }
 };
 

@@ -111,10 +111,10 @@ template <AnyShape S>
         if (shape.contains(point))
             return true;
         for (unsigned corner = 0; corner < (1u << dim); ++corner) {
-            Point<dim> near = point;
+            Point<dim> beside = point;
             for (int axis = 0; axis < dim; ++axis)
-                near[axis] += corner >> axis & 1u ? reach : -reach;
-            if (shape.contains(near))
+                beside[axis] += corner >> axis & 1u ? reach : -reach;
+            if (shape.contains(beside))
                 return true;
         }
         return false;

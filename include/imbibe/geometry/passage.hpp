@@ -83,7 +83,7 @@ template <AnyShape S>
     }
     const auto index_along = [&](std::size_t id, std::size_t k) { return id / stride[k] % cells[k]; };
 
-    constexpr double far = 1e15; // squared cells; stands for "no solid on this line"
+    constexpr double no_solid = 1e15; // squared cells; stands for "no solid on this line"
     // From a cell's centre to that of the nearest solid one, squared, in units of `cell`.
     std::vector<double> distance(count);
     for (std::size_t id = 0; id < count; ++id) {
@@ -93,7 +93,7 @@ template <AnyShape S>
             centre[n] = box.lower()[n] +
                         (static_cast<double>(index_along(id, k)) + 0.5) * box.size()[n] / static_cast<double>(cells[k]);
         }
-        distance[id] = solid.contains(centre) ? 0.0 : far;
+        distance[id] = solid.contains(centre) ? 0.0 : no_solid;
     }
     std::vector<double> line, values, starts;
     std::vector<std::size_t> roots;

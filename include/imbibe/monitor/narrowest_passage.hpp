@@ -66,15 +66,15 @@ std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSe
     constexpr double at_surface = 0.12, facing = 0.866;
 
     const double support = detail::normal_support * spacing;
-    search::NeighbourSearch<dim, Real> near(support, periodic, threads);
-    near.add(x);
-    near.update();
+    search::NeighbourSearch<dim, Real> neighbours(support, periodic, threads);
+    neighbours.add(x);
+    neighbours.update();
     std::vector<Vector> normals;
     std::vector<Eigen::Index> surface;
-    for (int a = 0; a < near.size(0); ++a) {
+    for (int a = 0; a < neighbours.size(0); ++a) {
         Vector sum = Vector::Zero();
         double most = 0;
-        near.for_each(0, a, [&](int, const auto& offset, double r) {
+        neighbours.for_each(0, a, [&](int, const auto& offset, double r) {
             const double weight = (1 - r / support) * (1 - r / support);
             sum += weight * offset.template cast<double>();
             most += weight * r;

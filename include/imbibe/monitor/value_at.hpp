@@ -54,7 +54,7 @@ auto value_at(const Scene& scene, PhaseHandle<P> which, F field, const Point<Sce
         Point<dim> offset; // (x_b - place)/H, x_b being the nearest one of its images
         Value value;
     };
-    std::vector<Near> near;
+    std::vector<Near> around;
     for (int i = 0; i < phase.size(); ++i) {
         Point<dim> off = x.row(i).transpose().template cast<double>() - place;
         for (int d = 0; d < dim; ++d) {
@@ -64,15 +64,15 @@ auto value_at(const Scene& scene, PhaseHandle<P> which, F field, const Point<Sce
                 off[d] -= length * std::round(off[d] / length);
         }
         if (const double q = off.norm() / H; q < 1)
-            near.push_back({WendlandC2::value(q), off / H, f.row(i).transpose().template cast<double>()});
+            around.push_back({WendlandC2::value(q), off / H, f.row(i).transpose().template cast<double>()});
     }
 
     Value value = Value::Constant(dry);
-    if (!near.empty()) {
+    if (!around.empty()) {
         double weights = 0;
         Point<dim> middle = Point<dim>::Zero();
-        Value mean = Value::Zero(), low = near.front().value, high = low;
-        for (const Near& b : near) {
+        Value mean = Value::Zero(), low = around.front().value, high = low;
+        for (const Near& b : around) {
             weights += b.weight;
             middle += b.weight * b.offset;
             mean += b.weight * b.value;
@@ -84,7 +84,7 @@ auto value_at(const Scene& scene, PhaseHandle<P> which, F field, const Point<Sce
         auto spread = Tensor<double, dim>::zero(); // sum w y y
         Eigen::Matrix<double, Value::RowsAtCompileTime, dim> along;
         along.setZero();
-        for (const Near& b : near) {
+        for (const Near& b : around) {
             const Point<dim> y = b.offset - middle;
             spread = spread + b.weight * outer(from_eigen<double, dim>(y), from_eigen<double, dim>(y));
             along += b.weight * b.value * y.transpose();

@@ -36,7 +36,7 @@ struct Periodic {
 
 /// x moved by whole periods into [lower, lower + length), m. What is not a finite number does not become one.
 template <class Real>
-Real into_period(Real x, Real lower, Real length) {
+IMBIBE_PER_BUILD Real into_period(Real x, Real lower, Real length) {
     if (x >= lower && x < lower + length)
         return x;
     x -= length * std::floor((x - lower) / length);
@@ -117,7 +117,7 @@ IMBIBE_PER_BUILD Bounds<dim> bounds_of(const Points<dim, Real>& points, int thre
 
 /// The cells, shared by all sets of points of a scene.
 template <int dim>
-class Grid {
+class IMBIBE_PER_BUILD Grid {
 public:
     /// Covers `bounds` with cells for neighbours within `support`. Memory is bounded for any extent: where the cells
     /// would be more than about eight a particle, as when a few drops have flown far away, the longest directions are

@@ -31,15 +31,18 @@ template <int dim, class Real>
 class IMBIBE_PER_BUILD NeighbourSearch {
 public:
     /// n rows, one for each point, and dim columns; views of a scene's positions fit without a copy.
-    using Positions = Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, dim>, 0, Eigen::OuterStride<>>;
+    using Positions =
+        Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, dim, Eigen::ColMajor>, 0, Eigen::OuterStride<>>;
 
     /// @param support the support radius, m, for all pairs of sets that do not get their own by `set_support`
     /// @param periodic lower ends and lengths of the periodic sides, m; each length must be at least the support
-    /// @param threads 0: all of the machine
-    /// @throws Error for a support that is not above 0, or a period shorter than it
+    /// @param threads at most 1024; 0: all of the machine
+    /// @throws Error for a support that is not above 0, a period shorter than it, or too many threads
     explicit NeighbourSearch(double support, const Periodic<dim>& periodic = {}, int threads = 0)
         : support_(support), periodic_(periodic), threads_(threads > 0 ? threads : available_threads()) {
         check_support(support);
+        require(threads <= most_threads, "threads = ", threads, "; it must be from 1 to ", most_threads,
+                ", or 0 for all of the machine");
     }
 
     /// Adds a set of points. Returns its number: 0, 1, ...

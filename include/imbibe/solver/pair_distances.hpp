@@ -16,7 +16,7 @@ namespace imbibe::detail {
 
 /// The pairs of two phases, or of one with itself, as its list of runs has them.
 template <int dim, class Real, int width>
-class PairDistances {
+class IMBIBE_PER_BUILD PairDistances {
 public:
     using Outside = std::array<std::vector<Real>, static_cast<std::size_t>(dim)>;
     /// @param targets the particles whose neighbours are listed, and @param sources those that the list counts

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/core/parallel.hpp>
 
 #include <array>
 #include <cmath>
@@ -42,12 +43,13 @@ struct Settings {
     /// `search_interval`. It also serves the short steps of DualStepping. A wide skin makes searches rare and sums
     /// long; 0.1 is a good choice where steps are short beside the particles' own motion.
     double search_skin = 0;
-    /// Threads; 0: all of the machine.
+    /// Threads, at most 1024; 0: all of the machine.
     int threads = 0;
 
     /// Throws Error for a number that is not finite or out of range.
     void check() const {
-        require(threads >= 0, "threads = ", threads, "; it must be at least 1, or 0 for all of the machine");
+        require(threads >= 0 && threads <= most_threads, "threads = ", threads, "; it must be from 1 to ", most_threads,
+                ", or 0 for all of the machine");
         for (double g : gravity)
             require(std::isfinite(g), "gravity has a component ", g, " m/s^2; all must be finite");
         require(std::isfinite(support_radius) && support_radius > 0, "support_radius = ", support_radius,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace imbibe {
@@ -75,8 +76,8 @@ public:
     /// May be called again for the same phase: the material given first is that of the phase (change it by
     /// `scene[phase].material()`), so density and spacing must be the same.
     /// @return what names the phase in `scene[...]`
-    /// @throws Error for a material or spacing out of range, a coordinate that is not finite, and two particles of the
-    /// phase nearer than 1e-3 spacings; the scene is then as it was
+    /// @throws Error for a material or spacing out of range, a coordinate that is not finite, and a point nearer than
+    /// 1e-3 spacings to another or to a particle of the phase; the scene is then as it was
     template <class P>
     PhaseHandle<P> add(const P& material, const std::vector<Point>& points, double spacing);
     /// Holds the particles of a phase whose position fulfils `held`: they stop and stay. The phase must list the term
@@ -382,13 +383,54 @@ private:
             }
         return places;
     }
-    // New places among themselves and against the particles the phase has already, also across periodic sides.
+    // New places among themselves and against the particles the phase has already, also across periodic sides. A source
+    // adds a few to many, so of those only the ones in reach of the new are looked at; where two coincide, all are, and
+    // the error counts them.
     template <class S>
     void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing,
                              const std::string& name) const {
-        std::vector<Point> all = points;
-        for (int i = 0; i < s.size(); ++i)
-            all.push_back(place_of(s, i));
+        if (points.empty())
+            return;
+        try {
+            require_distinct<dim>(with_images(with_particles_near(s, points, spacing), spacing), spacing);
+        } catch (const Error&) {
+            try {
+                std::vector<Point> all = points;
+                for (int i = 0; i < s.size(); ++i)
+                    all.push_back(place_of(s, i));
+                require_distinct<dim>(with_images(std::move(all), spacing), spacing);
+            } catch (const Error& error) {
+                throw Error(text(name, ": ", error.what()));
+            }
+        }
+    }
+    // The points, and the places of those particles that may be too near to one of them: in the box around the points,
+    // or a period beside it.
+    template <class S>
+    std::vector<Point> with_particles_near(const S& s, const std::vector<Point>& points, double spacing) const {
+        Point low = points.front(), high = low;
+        for (const Point& x : points) {
+            low = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+        }
+        low.array() -= 2e-3 * spacing; // twice the least distance: there is rounding
+        high.array() += 2e-3 * spacing;
+        std::vector<Point> found = points;
+        for (int i = 0; i < s.size(); ++i) {
+            const Point x = place_of(s, i);
+            bool near_to_points = true;
+            for (int d = 0; d < dim; ++d) {
+                const double length = settings_.periodic_length[static_cast<std::size_t>(d)];
+                const auto in_box = [&](double at) { return at >= low[d] && at <= high[d]; };
+                near_to_points &= in_box(x[d]) || in_box(x[d] + length) || in_box(x[d] - length);
+            }
+            if (near_to_points)
+                found.push_back(x);
+        }
+        return found;
+    }
+    // The places, and once more those at the lower end of a period, at its upper end.
+    std::vector<Point> with_images(std::vector<Point> all, double spacing) const {
         for (int d = 0; d < dim; ++d) {
             const auto axis = static_cast<std::size_t>(d);
             const double length = settings_.periodic_length[axis], lower = engine_.periodic.lower[axis];
@@ -397,11 +439,7 @@ private:
                     if (all[k][d] < lower + 1e-3 * spacing)
                         all.push_back(all[k] + length * Point::Unit(d));
         }
-        try {
-            require_distinct<dim>(all, spacing);
-        } catch (const Error& error) {
-            throw Error(text(name, ": ", error.what()));
-        }
+        return all;
     }
 
     // Is it a length, and does no particle see a neighbour twice?

@@ -18,8 +18,13 @@
 
 namespace imbibe::detail {
 
-/// Eigen's view of one field of all particles: n rows, one column per component, no copy.
-/// @tparam Numbers Eigen::Matrix or const Eigen::Matrix
+/// The values of one field of all particles: n rows, one column per component. Their order in memory is said here, as a
+/// host may have changed Eigen's default (EIGEN_DEFAULT_TO_ROW_MAJOR).
+template <class Real, int columns>
+using FieldValues = Eigen::Matrix<Real, Eigen::Dynamic, columns, Eigen::ColMajor>;
+
+/// Eigen's view of one field of all particles, no copy.
+/// @tparam Numbers FieldValues or const FieldValues
 template <class Numbers>
 using FieldView = Eigen::Map<Numbers, 0, Eigen::OuterStride<>>;
 
@@ -56,15 +61,15 @@ public:
     auto view(F) {
         static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
         constexpr int columns = components(F::rank, dim);
-        return FieldView<Eigen::Matrix<Real, Eigen::Dynamic, columns>>(
-            field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+        return FieldView<FieldValues<Real, columns>>(field(F{}), n, columns,
+                                                     Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
     }
     template <class F>
     auto view(F) const {
         static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
         constexpr int columns = components(F::rank, dim);
-        return FieldView<const Eigen::Matrix<Real, Eigen::Dynamic, columns>>(
-            field(F{}), n, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
+        return FieldView<const FieldValues<Real, columns>>(field(F{}), n, columns,
+                                                           Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
     }
     search::Points<dim, Real> points() const { return points_of(position); }
     template <class F>

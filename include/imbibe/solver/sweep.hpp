@@ -175,7 +175,7 @@ struct AddsOfNodes<TypeList<N...>> {
 /// behind them a number beyond the support, where every kernel is zero. One instruction where a comparison of lanes
 /// takes five.
 template <class Real, int width>
-class LeastDistances {
+class IMBIBE_PER_BUILD LeastDistances {
 public:
     LeastDistances() = default;
     explicit LeastDistances(double support) {
