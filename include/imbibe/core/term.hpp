@@ -216,7 +216,7 @@ IMBIBE_INLINE constexpr Central<T> along(const Pair<dim, T>&, const std::type_id
 }
 
 /// What a term may use to say how long a step may be.
-struct TimeStepInput {
+struct IMBIBE_PER_BUILD TimeStepInput {
     double support_radius;   ///< H of the phase, m
     double spacing;          ///< initial particle spacing of the phase, m
     double max_speed;        ///< greatest speed in the phase now, m/s
