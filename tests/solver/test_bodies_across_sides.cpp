@@ -27,9 +27,9 @@ struct Company : sph::Field<sph::Rank::scalar> {
     static constexpr std::string_view name = "company", unit = "kg";
 };
 inline constexpr Company company{};
-/// By how much the difference of two positions is not the offset of the pair, m^2.
+/// By how much the difference of two positions is not the offset of the pair, weighed with the kernel in 2D, 1.
 struct Misfit : sph::Field<sph::Rank::scalar> {
-    static constexpr std::string_view name = "misfit", unit = "m^2";
+    static constexpr std::string_view name = "misfit", unit = "1";
 };
 inline constexpr Misfit misfit{};
 
@@ -42,7 +42,7 @@ struct Compare {
     using reads = sph::Fields<sph::position>;
     using adds = sph::Fields<misfit>;
     constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        return squared_norm(a[sph::position] - b[sph::position] - ab.offset);
+        return squared_norm(a[sph::position] - b[sph::position] - ab.offset) * ab.value(K{});
     }
 };
 struct Look : sph::Coupling<Water, Body, Near> {};
