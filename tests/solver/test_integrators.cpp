@@ -8,6 +8,11 @@
 
 namespace integrators_test {
 
+/// The energy that the pressure's work makes of motion, per mass: nobody reads it.
+struct Heat : imbibe::Field<imbibe::Rank::scalar> {
+    static constexpr std::string_view name = "heat", unit = "J/kg", rate_name = "heat_rate", rate_unit = "W/kg";
+};
+
 namespace {
 
 namespace sph = imbibe;
@@ -21,11 +26,6 @@ struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::Volu
 struct Contact : sph::Coupling<Water, Rubber, sph::Into<Rubber, sph::PressureExtrapolation<C2>>,
                                sph::VolumePressure<C2>, sph::Into<Water, sph::VolumeContinuity<C2>>> {};
 
-/// The energy that the pressure's work makes of motion, per mass: nobody reads it.
-struct Heat : sph::Field<sph::Rank::scalar> {
-    static constexpr std::string_view name = "heat", unit = "J/kg", rate_name = "heat_rate", rate_unit = "W/kg";
-};
-inline constexpr Heat heat{};
 inline constexpr sph::Rate<Heat> heat_rate{};
 struct Work {
     using reads = sph::Fields<mass, density, sph::pressure, velocity>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>
+#include <imbibe/solver/rules.hpp>
 
 #include <algorithm>
 #include <cmath>
