@@ -1,6 +1,6 @@
-// Runs a part's function once at compile time on a recording particle: which fields does it really read, and on
-// which side of the pair? The record becomes the part's row in the schedule. Of what it returns only the type counts:
-// it must be a value for each field that the part adds to or sets.
+// Runs a part's function at compile time on a recording particle: which fields does it really read, and on which side
+// of the pair? The record becomes the part's row in the schedule. What it returns must be a value for each field that
+// the part adds to or sets, and of a pair beyond the support radius, for which it is run once more, zero.
 #pragma once
 
 #include <imbibe/core/rule.hpp>
@@ -70,7 +70,7 @@ constexpr Material sample_material() {
     return m;
 }
 template <class Material>
-inline constexpr Material default_material = sample_material<Material>();
+inline constexpr Material ordinary_material = sample_material<Material>();
 
 // Values that keep every formula finite: tensors are near the identity, vectors have different components.
 template <class V>
@@ -95,7 +95,7 @@ struct RecordingParticle {
     using Scalar = Number<double>;
     static constexpr int dimension = dim;
     bool* seen;
-    const Material& material = default_material<Material>;
+    const Material& material = ordinary_material<Material>;
     double time_step = 0.01;
 
     template <class F>

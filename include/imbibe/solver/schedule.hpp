@@ -192,19 +192,11 @@ private:
     }
 
     constexpr void find_ancestors() {
-        Bits needed;
-        for (const Row& r : rows)
-            if (r.advances)
-                needed = needed | (r.reads - r.sets);
-        for (bool grew = true; grew;) {
-            grew = false;
-            for (int r = 0; r < static_cast<int>(n); ++r)
-                if (!row(r).advances && !ancestors.test(r) && ((row(r).adds | row(r).sets) & needed).any()) {
-                    ancestors.set(r);
-                    needed = needed | row(r).reads;
-                    grew = true;
-                }
-        }
+        Bits advances;
+        for (int r = 0; r < static_cast<int>(n); ++r)
+            if (row(r).advances)
+                advances.set(r);
+        ancestors = with_what_they_read(rows, advances) - advances;
     }
 
     // Which states a row sees as they were. One of which only rates are made sees all states so: it shares a sweep with
@@ -227,24 +219,20 @@ private:
     // The ancestors whose results others than ancestors depend on, and what reads results of these: it must see the
     // same states as they.
     constexpr Bits shared_ancestors() const {
-        Bits shared, wanted, written;
+        Bits others, written;
         for (int r = 0; r < static_cast<int>(n); ++r)
             if (!row(r).advances && !ancestors.test(r))
-                wanted = wanted | row(r).reads;
-        const auto grow = [&](auto&& is_one) {
-            for (bool grew = true; grew;) {
-                grew = false;
-                for (int r = 0; r < static_cast<int>(n); ++r)
-                    if (ancestors.test(r) && !shared.test(r) && is_one(row(r))) {
-                        shared.set(r);
-                        wanted = wanted | row(r).reads;
-                        written = written | row(r).adds | row(r).sets;
-                        grew = true;
-                    }
-            }
-        };
-        grow([&](const Row& it) { return ((it.adds | it.sets) & wanted).any(); });
-        grow([&](const Row& it) { return (it.reads & written).any(); });
+                others.set(r);
+        Bits shared = with_what_they_read(rows, others) & ancestors;
+        for (Bits before; before != shared;) {
+            before = shared;
+            for (int r = 0; r < static_cast<int>(n); ++r)
+                if (shared.test(r))
+                    written = written | row(r).adds | row(r).sets;
+            for (int r = 0; r < static_cast<int>(n); ++r)
+                if (ancestors.test(r) && (row(r).reads & written).any())
+                    shared.set(r);
+        }
         return shared;
     }
     // All rows on which the advance of a state depends, also through other states.
