@@ -1,7 +1,7 @@
 // The solver: a scene of phases and couplings, put together at compile time and run.
 #pragma once
 
-#include <imbibe/geometry/distinct.hpp>
+#include <imbibe/solver/distinct_places.hpp>
 #include <imbibe/solver/engine.hpp>
 #include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/settings.hpp>
@@ -304,8 +304,8 @@ public:
         engine_.forget_neighbours();
         engine_.archive_motion(archive);
     }
-    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once. The first
-    /// step does it by itself, and once more where somebody had a view to write since.
+    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once. The
+    /// first step does it by itself, and once more where somebody had a view to write since.
     /// @throws Error for a scene without particles or coefficients out of range
     void prepare();
 
@@ -383,65 +383,6 @@ private:
             }
         return places;
     }
-    // New places among themselves and against the particles the phase has already, also across periodic sides. A source
-    // adds a few to many, so of those only the ones in reach of the new are looked at; where two coincide, all are, and
-    // the error counts them.
-    template <class S>
-    void require_distinct_in(const S& s, const std::vector<Point>& points, double spacing,
-                             const std::string& name) const {
-        if (points.empty())
-            return;
-        try {
-            require_distinct<dim>(with_images(with_particles_near(s, points, spacing), spacing), spacing);
-        } catch (const Error&) {
-            try {
-                std::vector<Point> all = points;
-                for (int i = 0; i < s.size(); ++i)
-                    all.push_back(place_of(s, i));
-                require_distinct<dim>(with_images(std::move(all), spacing), spacing);
-            } catch (const Error& error) {
-                throw Error(text(name, ": ", error.what()));
-            }
-        }
-    }
-    // The points, and the places of those particles that may be too near to one of them: in the box around the points,
-    // or a period beside it.
-    template <class S>
-    std::vector<Point> with_particles_near(const S& s, const std::vector<Point>& points, double spacing) const {
-        Point low = points.front(), high = low;
-        for (const Point& x : points) {
-            low = low.cwiseMin(x);
-            high = high.cwiseMax(x);
-        }
-        low.array() -= 2e-3 * spacing; // twice the least distance: there is rounding
-        high.array() += 2e-3 * spacing;
-        std::vector<Point> found = points;
-        for (int i = 0; i < s.size(); ++i) {
-            const Point x = place_of(s, i);
-            bool near_to_points = true;
-            for (int d = 0; d < dim; ++d) {
-                const double length = settings_.periodic_length[static_cast<std::size_t>(d)];
-                const auto in_box = [&](double at) { return at >= low[d] && at <= high[d]; };
-                near_to_points &= in_box(x[d]) || in_box(x[d] + length) || in_box(x[d] - length);
-            }
-            if (near_to_points)
-                found.push_back(x);
-        }
-        return found;
-    }
-    // The places, and once more those at the lower end of a period, at its upper end.
-    std::vector<Point> with_images(std::vector<Point> all, double spacing) const {
-        for (int d = 0; d < dim; ++d) {
-            const auto axis = static_cast<std::size_t>(d);
-            const double length = settings_.periodic_length[axis], lower = engine_.periodic.lower[axis];
-            if (length > 0)
-                for (std::size_t k = 0, n = all.size(); k < n; ++k)
-                    if (all[k][d] < lower + 1e-3 * spacing)
-                        all.push_back(all[k] + length * Point::Unit(d));
-        }
-        return all;
-    }
-
     // Is it a length, and does no particle see a neighbour twice?
     void require_support(double support, const std::string& name) const {
         require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
@@ -576,7 +517,8 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
                 " m; in float it must be between ", std::pow(1e-37, 0.5 / dim), " and ", std::pow(1e26, 0.5 / dim),
                 " m. Take double");
     const std::vector<Point> places = stored_places(points);
-    require_distinct_in(s, places, spacing, name);
+    detail::require_distinct_places<dim>(
+        places, s.size(), [&](int i) { return place_of(s, i); }, spacing, engine_.periodic, name);
     if (s.size() == 0) {
         s.material = material;
         s.material.spacing = spacing;
