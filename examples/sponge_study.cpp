@@ -8,7 +8,8 @@
 //
 // Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted,
 // or that is wanted to a later --end, goes on from its last checkpoint, and the two studies share the case they have in
-// common. An interrupted run is not replaced by one with other options, but with --overwrite.
+// common, if they have one (the paper's composition). An interrupted run is not replaced by one with other options, but
+// with --overwrite.
 #include "support/pictures.hpp"
 #include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
@@ -26,9 +27,10 @@ struct Case {
     sph::presets::SpongeCase numbers;
 };
 
-/// The sound composition counts its supports in spacings; h = 1.3 mm of the paper is its 2.6.
-double ratio_of(double support) {
-    return std::round(20 * support / 1e-3) / 10;
+/// The sound composition takes the paper's h for the smoothing length of its kernel, half the support, and counts in
+/// spacings, of which the paper's are 0.8 mm: h = 1 mm is a support of 2.5 spacings, h = 1.3 mm one of 3.25.
+double ratio_of(double h) {
+    return std::round(100 * 2 * h / 0.8e-3) / 100;
 }
 
 /// Each of `repeats` runs of a case takes steps that are 2.5 % shorter than those of the one before. That is no other
@@ -47,7 +49,8 @@ std::vector<Case> cases_of(const std::string& study, const std::string& composit
     const auto add = [&](double pore_radius, double support, const std::string& label) {
         numbers.pore_radius = pore_radius;
         numbers.support_radius = support;
-        numbers.support_ratio = ratio_of(composition == "sound" && study == "pores" ? 1.3e-3 : support);
+        if (study == "support")
+            numbers.support_ratio = ratio_of(support);
         const double shown = composition == "paper" ? support * 1e3 : numbers.support_ratio;
         for (int k = 0; k < repeats; ++k) {
             sph::presets::SpongeCase repeated = numbers;
