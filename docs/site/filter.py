@@ -41,6 +41,7 @@ CONTRACT = [
     (r"static constexpr bool between_fluids\b", "It is listed in phases, and in couplings of two fluids."),
     (r"static constexpr bool between_fluid_and_other\b", "It is listed in couplings of a fluid and what is none."),
     (r"using beside_in_couplings =", "What a coupling needs beside a term of its effect."),
+    (r"using reacts_to =", "The terms of the same coupling that it is the reaction to."),
     (r"using corrected_kernel =", "The kernel that a gradient and its correction share."),
     (r"static constexpr bool in_packs\b", "It is called for as many particles at once as the processor computes."),
     (r".*\boperator\(\)\(const auto&( a)?, const auto&( b)?,", "What neighbour b contributes to particle a."),

@@ -1,7 +1,7 @@
 // The pressure of a Riemann wall between two fluids.
 // expect: this term goes between a fluid and a wall or a solid
 // expect: NotBetweenFluidAndWall<imbibe::RiemannWallPressure<
-// expect: use_VolumePressure_or_RiemannPressure_between_fluids
+// expect: use_VolumePressure_RiemannPressure_or_MorrisViscosity_between_fluids
 #include "scene.hpp"
 
 #include <imbibe/wall/riemann_wall.hpp>

@@ -374,7 +374,8 @@ TEST_CASE("Bad materials and points leave the scene as it was", "[scene]") {
     light.density = 500;
     REQUIRE_THROWS_WITH(scene.add(light, {{0, 1, 0}}, 0.125), imbibe_test::contains("500 kg/m^3 now"));
     REQUIRE_THROWS_WITH(scene.add(drop, {{0, 1, 0}, {0, 1, 0}}, 0.125),
-                        imbibe_test::contains("Drop: ") && imbibe_test::contains("coincide"));
+                        imbibe_test::contains("Drop, which repeats every 1 m along x") &&
+                            imbibe_test::contains("coincide") && imbibe_test::contains("the spacing of 0.125 m"));
     REQUIRE_THROWS_WITH(scene.add(drop, {{0.125, 0, 1e-6}}, 0.125), imbibe_test::contains("coincide"));
     CHECK(scene[handle].size() == 2);
     scene.step();
@@ -463,6 +464,13 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
         CHECK(scene.warnings()[0].find(" 6 ") != std::string::npos);
         scene.add(drop, ball(0.1, 0.15), 0.1);
         CHECK(scene.warnings().size() == 1); // said once
+    }
+    SECTION("a support radius in another unit than the spacing") {
+        DropScene scene({.support_radius = 52});
+        scene.add(drop, ball(0.1, 0.35), 0.1);
+        REQUIRE(scene.warnings().size() == 1);
+        CHECK_THAT(scene.warnings()[0],
+                   imbibe_test::contains("520 spacings") && imbibe_test::contains("Are both in metres?"));
     }
     SECTION("another spacing than that of the points, which makes another mass") {
         for (const double wrong : {0.05, 0.25}) {

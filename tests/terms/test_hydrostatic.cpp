@@ -149,6 +149,8 @@ TEST_CASE("start_hydrostatic refuses what has no depth") {
     CHECK_THROWS_WITH(start_hydrostatic(scene, there, 1), imbibe_test::contains("no particles"));
     scene.add(water, points, 0.1);
     CHECK_THROWS_WITH(start_hydrostatic(scene, there, -1), imbibe_test::contains("surface = -1 m"));
+    CHECK_THROWS_WITH(start_hydrostatic(scene, there, 500),
+                      imbibe_test::contains("a surface at 500 m") && imbibe_test::contains("Is the surface in metres"));
     CHECK_THROWS_WITH(start_hydrostatic(scene, there, std::nan("")), imbibe_test::contains("surface = nan m"));
     CHECK_NOTHROW(start_hydrostatic(scene, there, 1));
 }

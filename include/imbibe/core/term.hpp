@@ -23,6 +23,7 @@
 //   - `using beside_in_couplings`: a term that every coupling must have into the phase, if it has one of that effect;
 //     `using never_in_couplings`: one that none may have;
 //   - `using corrected_kernel`: the kernel of a gradient, or of its correction; all of a phase are the same;
+//   - `using reacts_to = TypeList<...>`: terms of the same coupling that it needs there;
 //   - where it may be listed, each `static constexpr bool ... = true;`: `within_phases` (not in couplings), `one_sided`
 //     (in couplings, as Into the wall or the solid), `between_fluids` (in phases, and in couplings of two fluids),
 //     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli

@@ -4,15 +4,16 @@
 #include <imbibe/geometry/point.hpp>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace imbibe {
 
-/// Throws Error if a coordinate is NaN or infinite, or if two points are nearer to each other than 1e-3 spacing (m);
-/// the message names their indices and positions. Takes time in proportion to the number of points.
+namespace detail {
+
+/// require_distinct, whose messages begin with `who`.
 template <int dim>
-void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
-    detail::require_positive("require_distinct", "spacing", spacing, "Give the distance between particles in metres.");
+void require_distinct(const std::string& who, const std::vector<Point<dim>>& points, double spacing) {
     const double nearest = 1e-3 * spacing;
     // Cells 16 times the least distance wide: a cell holds a bounded number of distinct points whatever the input, and
     // few points lie so near to its border that the next cell must be looked at too.
@@ -45,10 +46,10 @@ void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
         const Point<dim>& point = points[i];
         // Not require(): the texts are put together only when they are needed, as this runs for every particle.
         if (!point.allFinite())
-            throw Error(text("require_distinct: point ", i, " of ", points.size(), " is at ", point_text<dim>(point),
+            throw Error(text(who, ": point ", i, " of ", points.size(), " is at ", point_text<dim>(point),
                              "; every coordinate must be finite. Look at what made the points."));
         if (!(point.array().abs() < 1e15 * cell).all())
-            throw Error(text("require_distinct: point ", i, " is at ", point_text<dim>(point),
+            throw Error(text(who, ": point ", i, " is at ", point_text<dim>(point),
                              ", too far from the origin for a spacing of ", spacing,
                              " m (at most 1e13 spacings). Give points and spacing in the same unit, metres."));
         const CellIndex from = cell_of(point - Point<dim>::Constant(nearest));
@@ -57,10 +58,12 @@ void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
         for (;;) {
             for (std::size_t j = newest[bucket_of(place)]; j != nobody; j = older[j])
                 if ((points[j] - point).norm() < nearest)
-                    throw Error(text("require_distinct: points ", j, " and ", i, " of ", points.size(),
+                    throw Error(text(who, ": points ", j, " and ", i, " of ", points.size(),
                                      " coincide: ", point_text<dim>(points[j]), " and ", point_text<dim>(point),
                                      " are ", (points[j] - point).norm(), " m apart; they must be at least ", nearest,
-                                     " m (1e-3 spacings) apart. Do two bodies overlap, or was one added twice?"));
+                                     " m, 1e-3 of the spacing of ", spacing,
+                                     " m, apart. Do two bodies overlap, was one added twice, or are these points not "
+                                     "as far apart as the spacing?"));
             int axis = 0;
             while (axis < dim && ++place[axis] > to[axis]) {
                 place[axis] = from[axis];
@@ -73,6 +76,16 @@ void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
         older[i] = newest[bucket];
         newest[bucket] = i;
     }
+}
+
+} // namespace detail
+
+/// Throws Error if a coordinate is NaN or infinite, or if two points are nearer to each other than 1e-3 spacing (m);
+/// the message names their indices and positions. Takes time in proportion to the number of points.
+template <int dim>
+void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
+    detail::require_positive("require_distinct", "spacing", spacing, "Give the distance between particles in metres.");
+    detail::require_distinct<dim>("require_distinct", points, spacing);
 }
 
 } // namespace imbibe

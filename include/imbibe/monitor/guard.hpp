@@ -56,7 +56,7 @@ private:
     void look_at_particles(const Scene& scene) {
         static_assert(Scene::dimension == dim, "imbibe: a Guard is of its scene's dimension");
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
-            look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene));
+            look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene), P::moves);
         });
         scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
         look_at_energy(scene);
@@ -65,9 +65,10 @@ private:
 
     GuardSettings<dim> settings_;
     struct Balance {
-        double energy, kinetic, potential; // kinetic and potential; J
-        long long particles, ever, steps;  // how many there are, and were ever added
-        double stored = 0; // of what can be released, J; at the first look
+        double energy, kinetic, potential;                         // kinetic and potential; J
+        long long particles, ever, steps;                          // how many there are, and were ever added
+        std::array<double, static_cast<std::size_t>(dim)> gravity; // m/s^2
+        double stored = 0;                                         // of what can be released, J; at the first look
     };
     std::optional<Balance> start_; ///< at the first look
     double kinetic_most_ = 0;
@@ -99,7 +100,7 @@ private:
     }
 
     template <class Scene, class View>
-    void look_at(const Scene& scene, const View& phase, const std::string& name) const {
+    void look_at(const Scene& scene, const View& phase, const std::string& name, bool moves) const {
         if (phase.size() == 0)
             return;
         using State = std::remove_cvref_t<decltype(phase.state)>;
@@ -107,7 +108,7 @@ private:
         require_finite(scene, phase, name, x, "position");
         if constexpr (State::template stores<Velocity>)
             require_finite(scene, phase, name, phase[velocity], "velocity");
-        for (int d = 0; d < dim; ++d) {
+        for (int d = 0; d < dim && moves; ++d) { // walls may reach out of the domain that they enclose
             const auto k = static_cast<std::size_t>(d);
             if (scene.settings().periodic_length[k] > 0)
                 continue;
@@ -224,8 +225,8 @@ private:
     void look_at_energy(const Scene& scene) {
         if (!std::isfinite(settings_.energy) || falls_through_a_period(scene))
             return;
-        Balance now{0, 0, 0, scene.particles(), 0, scene.steps()};
-        bool driven = false;
+        Balance now{0, 0, 0, scene.particles(), 0, scene.steps(), scene.settings().gravity};
+        bool driven = start_ && now.gravity != start_->gravity; // shaken or tilted
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
             const auto phase = scene[PhaseHandle<P>{}];
             now.ever += s.ever_added();
@@ -258,7 +259,9 @@ private:
         if (excess_ > allowed + released + round_off(scene))
             throw Diverged(text("energy has grown by ", excess_ - released,
                                 " J without work, in a scene that has turned over ", turned_over, " J; ", moment(scene),
-                                reason(scene)),
+                                reason(scene),
+                                ". Where the program itself drives the scene, as by velocities that it sets, "
+                                "GuardSettings::energy is to be infinite"),
                            Cause::energy, "", {}, scene.time(), scene.steps());
     }
     template <class Scene>
@@ -322,8 +325,11 @@ private:
         for (int d = 0; d < dim; ++d)
             where.push_back(static_cast<double>(phase[position](i, d)) +
                             scene.settings().origin[static_cast<std::size_t>(d)]);
+        // Before the first step what is found there says why.
+        const bool is_said = scene.steps() == 0 && (cause == Cause::left_domain || cause == Cause::inside_wall);
         throw Diverged(text("particle ", phase.ids()[static_cast<std::size_t>(i)], " of phase ", name, " at (",
-                            listed(where), ") m ", what, "; ", moment(scene), reason(scene)),
+                            listed(where), ") m ", what, is_said ? "" : "; ", is_said ? "" : moment(scene),
+                            is_said ? "" : reason(scene)),
                        cause, name, where, scene.time(), scene.steps());
     }
     static std::string listed(const std::vector<double>& numbers) {

@@ -48,8 +48,9 @@ struct GuardSettings {
     double speed = 1;
     /// Bounds of the density, as shares of that at rest.
     double least_density = 0.5, greatest_density = 1.5;
-    /// The domain, m: a particle outside ends the run. As wide as the tank and a spacing more, it notices leaks. Not
-    /// looked at along periodic sides, where there is no outside.
+    /// The domain, m: a particle outside ends the run, but those of walls, which may reach out of it. As wide as the
+    /// inside of the tank and a spacing more, it notices leaks. Not looked at along periodic sides, where there is no
+    /// outside.
     std::array<double, static_cast<std::size_t>(dim)> lower = filled(-std::numeric_limits<double>::infinity()),
                                                       /// The upper corner of the domain, m.
         upper = filled(std::numeric_limits<double>::infinity());
@@ -62,9 +63,9 @@ struct GuardSettings {
     /// or the potential energy that has been released, whichever is more, and what lifts everything by a hundredth of a
     /// spacing), and beside what stress and pressure have released since the guard's first look (`stored_energy`) and
     /// what rounding of positions may have put in.
-    /// Infinite: not looked at, as for scenes that something drives, or whose solids are added under stress. Not looked
-    /// at either while a wall moves, nor where gravity has a component along a periodic side: it drives the flow round
-    /// and round, and there is no potential energy.
+    /// Infinite: not looked at, as for scenes that the program drives by velocities that it sets, or whose solids are
+    /// added under stress. Not looked at either while a wall moves or gravity changes, nor where gravity has a component
+    /// along a periodic side: it drives the flow round and round, and there is no potential energy.
     double energy = 0.2;
     /// The fewest particles of a fluid that are to fit across the pores of a solid or wall that it is coupled to, as
     /// they lie now: below 2 no more than single ones pass, whatever the physics says. 0: not looked at, as where pores

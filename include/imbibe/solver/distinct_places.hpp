@@ -64,16 +64,17 @@ void require_distinct_places(const std::vector<Point<dim>>& added, int count, co
         return;
     try {
         require_distinct<dim>(
-            with_images(with_particles_near(added, count, place, spacing, periodic), spacing, periodic), spacing);
+            name, with_images(with_particles_near(added, count, place, spacing, periodic), spacing, periodic), spacing);
     } catch (const Error&) {
-        try {
-            std::vector<Point<dim>> all = added;
-            for (int i = 0; i < count; ++i)
-                all.push_back(place(i));
-            require_distinct<dim>(with_images(std::move(all), spacing, periodic), spacing);
-        } catch (const Error& error) {
-            throw Error(text(name, ": ", error.what()));
-        }
+        std::string who = name;
+        for (int d = 0; d < dim; ++d)
+            if (const double length = periodic.length[static_cast<std::size_t>(d)]; length > 0)
+                who += text(", which repeats every ", length, " m along ", "xyz"[d]);
+        std::vector<Point<dim>> all = added;
+        for (int i = 0; i < count; ++i)
+            all.push_back(place(i));
+        require_distinct<dim>(who, with_images(std::move(all), spacing, periodic), spacing);
+        throw;
     }
 }
 

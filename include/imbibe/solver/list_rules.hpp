@@ -70,12 +70,29 @@ private:
         else if constexpr (requires { requires Term::between_fluids && fluids != 2; })
             return break_rule<rules::NotBetweenFluids<Term, C, use_the_RiemannWall_terms_at_walls_and_solids>>();
         else if constexpr (requires { requires Term::between_fluid_and_other && fluids == 2; })
-            return break_rule<
-                rules::NotBetweenFluidAndWall<Term, C, use_VolumePressure_or_RiemannPressure_between_fluids>>();
+            return break_rule<rules::NotBetweenFluidAndWall<
+                Term, C, use_VolumePressure_RiemannPressure_or_MorrisViscosity_between_fluids>>();
         else if constexpr (requires { requires Term::between_fluid_and_other && fluids == 0; })
             return break_rule<rules::NotBetweenFluidAndWall<Term, C, list_it_between_a_fluid_and_a_wall_or_solid>>();
+        else if constexpr (requires { typename Term::reacts_to; })
+            return check_reaction<C, Term>(typename Term::reacts_to{});
         else
             return true;
+    }
+    template <class C, class Reaction>
+    static constexpr bool check_reaction(TypeList<>) {
+        return true;
+    }
+    template <class C, class Reaction, class Force, class... Rest>
+    static constexpr bool check_reaction(TypeList<Force, Rest...>) {
+        if constexpr (!lists<Force>(typename C::terms{}))
+            return break_rule<rules::NothingToReactTo<Force, Reaction, C, give_it_a_force_that_the_coupling_lists>>();
+        else
+            return check_reaction<C, Reaction>(TypeList<Rest...>{});
+    }
+    template <class Term, class... T>
+    static constexpr bool lists(TypeList<T...>) {
+        return (std::is_same_v<typename Listed<T>::Term, Term> || ...);
     }
     template <class Item, class T>
     static constexpr bool check_term() {
@@ -88,6 +105,8 @@ private:
             return break_rule<rules::NotInto<Term, Item, write_it_in_a_coupling_as_Into_the_wall_or_solid>>();
         else if constexpr (IsCoupling<Item>)
             return check_coupled_term<Item, Term>();
+        else if constexpr (requires { requires Term::between_fluid_and_other; })
+            return break_rule<rules::NotInPhases<Term, Item, list_it_in_a_coupling_of_the_fluid>>();
         else
             return true;
     }

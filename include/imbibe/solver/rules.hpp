@@ -14,7 +14,9 @@ struct list_it_once;
 struct list_it_in_the_phases_only;
 struct use_the_RiemannWall_terms_at_walls_and_solids;
 struct list_it_between_a_fluid_and_a_wall_or_solid;
-struct use_VolumePressure_or_RiemannPressure_between_fluids;
+struct use_VolumePressure_RiemannPressure_or_MorrisViscosity_between_fluids;
+struct list_it_in_a_coupling_of_the_fluid;
+struct give_it_a_force_that_the_coupling_lists;
 struct give_both_the_same_kernel;
 struct list_terms_only_and_Into_only_in_couplings;
 struct give_it_to_a_solid;
@@ -87,6 +89,16 @@ struct NotInto {
 template <class Term, class Coupling, class Advice>
 struct NotInCouplings {
     static_assert(never<Term>, "imbibe: this term compares neighbours of one material, and is listed in a coupling");
+};
+/// Rule: a force of walls or solids on fluids (`between_fluid_and_other`) is one of couplings.
+template <class Term, class Phase, class Advice>
+struct NotInPhases {
+    static_assert(never<Term>, "imbibe: this term goes between a fluid and a wall or a solid, and is listed in a phase");
+};
+/// Rule: a reaction (`reacts_to`) is that to terms of the same coupling.
+template <class Term, class Reaction, class Coupling, class Advice>
+struct NothingToReactTo {
+    static_assert(never<Term>, "imbibe: this force is none of the coupling, which lists a reaction to it");
 };
 /// Rule: a term that asks both sides for a fluid's state (`between_fluids`) is of a fluid, or of a coupling of two.
 template <class Term, class Coupling, class Advice>

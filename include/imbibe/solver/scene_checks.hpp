@@ -54,20 +54,27 @@ void require_same_material(const auto& phase, const auto& material, double spaci
         check(phase.shear_modulus, material.shear_modulus, "shear modulus", "Pa");
 }
 
-/// A sentence if a particle of a square or cubic lattice has too few neighbours, or an empty one.
+/// A sentence if a particle of a square or cubic lattice has too few neighbours, or so many that units were mixed up,
+/// or an empty one.
 /// @param ratio the support radius in spacings
 template <int dim>
-std::string warning_of_few_neighbours(double ratio, const std::string& name) {
-    if (ratio >= 1.3)
+std::string warning_of_support(double ratio, const std::string& name) {
+    if (ratio >= 1.3 && ratio <= 8)
         return {};
+    const auto say = [&](double neighbours, const char* consequence) {
+        return text(name, ": the support radius is ", ratio, " spacings, so a particle has ", neighbours,
+                    " neighbours, ", consequence, "; 2 to 3 spacings are usual");
+    };
+    if (ratio > 8)
+        return say(std::round(dim == 2 ? 3.14 * sq(ratio) : 4.19 * sq(ratio) * ratio),
+                   "which takes long and smooths everything. Are both in metres?");
     int neighbours = -1; // the particle itself is not one
     const int reach = static_cast<int>(ratio) + 1;
     for (int x = -reach; x <= reach; ++x)
         for (int y = -reach; y <= reach; ++y)
             for (int z = dim == 3 ? -reach : 0; z <= (dim == 3 ? reach : 0); ++z)
                 neighbours += x * x + y * y + z * z < ratio * ratio * (1 - 1e-9);
-    return text(name, ": the support radius is ", ratio, " spacings, so a particle has only ", neighbours,
-                " neighbours and gradients come out too small; 2 to 3 spacings are usual");
+    return say(neighbours, "too few: gradients come out too small");
 }
 
 /// A sentence if particles of two phases that see each other start nearer than 0.3 of their mean spacing, or an empty

@@ -196,7 +196,7 @@ public:
     // ---- running it ----
 
     /// Changes gravity from now on, m/s^2: for a tank that is shaken or tilted, in the frame of the tank. A checkpoint
-    /// does not hold it, and to a Guard what it does is energy from nowhere (GuardSettings::energy).
+    /// does not hold it, and a Guard does not look at energies while it changes (GuardSettings::energy).
     /// @throws Error for a component that is not finite; gravity is then as it was
     void set_gravity(const std::array<double, static_cast<std::size_t>(dim)>& gravity) {
         Settings<dim> changed = settings_;
@@ -438,7 +438,7 @@ private:
 
     template <class P>
     void note_warnings(const P& material, const std::string& name) {
-        note(detail::warning_of_few_neighbours<dim>(material.support_radius / material.spacing, name));
+        note(detail::warning_of_support<dim>(material.support_radius / material.spacing, name));
         if constexpr (requires { material.warning(name); })
             note(material.warning(name));
     }

@@ -69,7 +69,8 @@ double hydrostatic_pressure(const Material& material, double g, double depth) {
 /// @param surface how high the surface stands, m, measured upwards (against Settings::gravity) from the origin of the
 /// coordinates: with gravity along -y simply its y
 /// @throws Error for a scene without gravity or with a period along it, a liquid without particles, and a surface that
-/// is not a finite number or below all of them
+/// is not a finite number, below all of them, or so high above them that the lowest would have more than 3 times its
+/// density
 ///
 /// Source: hydrostatics; that mass and density go together: the case still-water of docs/validation.md.
 template <class Scene, class Phase>
@@ -109,9 +110,18 @@ void start_hydrostatic(Scene& scene, Phase phase, double surface) {
     require(std::isfinite(surface) && surface > lowest, "start_hydrostatic: surface = ", surface,
             " m; it must be a finite number above the lowest particle, ", lowest,
             " m, usually half a spacing above the highest, ", highest, " m");
+    const auto density_under = [&](double depth) {
+        const double p = detail::hydrostatic_pressure(material, g, std::max(depth, 0.0));
+        return detail::density_at(material, p, typename std::remove_cvref_t<decltype(material)>::terms{});
+    };
+    const double densest = density_under(surface - lowest) / material.density;
+    require(densest <= 3, "start_hydrostatic: under a surface at ", surface, " m the lowest particle, at ", lowest,
+            " m, would have ", densest,
+            " times the density at rest; at most 3 are taken for meant. Is the surface in metres "
+            "(the highest particle is at ",
+            highest, " m), and the sound speed, ", material.sound_speed, " m/s, high enough?");
     for (int i = 0; i < view.size(); ++i) {
-        const double p = detail::hydrostatic_pressure(material, g, std::max(surface - height(i), 0.0));
-        const double after = detail::density_at(material, p, typename std::remove_cvref_t<decltype(material)>::terms{});
+        const double after = density_under(surface - height(i));
         m(i) = static_cast<Real>(static_cast<double>(m(i)) * after / static_cast<double>(rho(i)));
         rho(i) = static_cast<Real>(after);
     }

@@ -18,6 +18,7 @@ namespace imbibe {
 /// Source: Adami, Hu and Adams (2012); see CorrectedViscosity.
 template <class Kernel = WendlandC2>
 struct CorrectedNoSlipViscosity {
+    static constexpr bool between_fluid_and_other = true;
     using effect = effects::viscous_force;
     using corrected_kernel = Kernel;
     using reads = Fields<mass, density, velocity, no_slip_velocity, gradient_correction>;

@@ -79,6 +79,7 @@ IMBIBE_INLINE constexpr auto velocity_at_wall(const auto& a) {
 /// Source: Adami, Hu and Adams (2012); Morris, Fox and Zhu (1997), Eq. (22).
 template <class Kernel = WendlandC2>
 struct NoSlipViscosity {
+    static constexpr bool between_fluid_and_other = true;
     using effect = effects::viscous_force;
     using reads = Fields<mass, density, velocity, no_slip_velocity>;
     using adds = Fields<acceleration>;

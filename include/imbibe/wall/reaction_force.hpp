@@ -64,7 +64,8 @@ struct ReactionsTo<Term, TypeList<Part...>> {
 } // namespace detail
 
 /// F_a = - sum_b m_b (dv_b/dt)_a, in N: the force on a particle a of a wall or a solid by the particles b of the fluid,
-/// minus what these get from it by the terms given, for each pair to the last bit.
+/// minus what these get from it by the terms given, for each pair to the last bit. They are terms of the coupling, with
+/// the same kernel.
 ///
 /// Goes into the wall or the solid, beside the terms it is the reaction to:
 ///
@@ -85,6 +86,7 @@ struct ReactionsTo<Term, TypeList<Part...>> {
 template <class... Term>
 struct ReactionForce {
     static constexpr bool one_sided = true;
+    using reacts_to = TypeList<Term...>;
     using parts = detail::Concat<typename detail::ReactionsTo<Term, detail::PartList<Term>>::type...>;
 };
 
