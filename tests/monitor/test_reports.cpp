@@ -161,6 +161,30 @@ TEST_CASE("The live line shows the last step that the end of the run did not cut
     REQUIRE_THROWS_WITH(sph::Progress(std::nan(""), true), imbibe_test::contains("end = nan s"));
 }
 
+template <int>
+struct Pier : sph::Wall<> {};
+template <class Solid>
+struct Beside : sph::Coupling<Water, Solid, sph::Into<Solid, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>,
+                              sph::MonaghanViscosity<K>> {};
+
+TEST_CASE("Couplings and phases of one name are told apart in the report and in the limits", "[reports]") {
+    constexpr double dx = 0.02;
+    sph::Solver<2, float, sph::SymplecticEuler, Water, Pier<0>, Pier<1>, Beside<Pier<0>>, Beside<Pier<1>>> scene(
+        {.support_radius = 2.6 * dx, .threads = 1});
+    Water water{{.density = 1000, .sound_speed = 45}};
+    scene.add(water, sph::fill(sph::Box<2>({0, 0}, {0.2, 0.2}), dx), dx);
+    scene.add(Pier<0>{{.density = 1000}}, sph::fill(sph::Box<2>({-0.06, 0}, {0, 0.2}), dx), dx);
+    scene.add(Pier<1>{{.density = 1000}}, sph::fill(sph::Box<2>({0.2, 0}, {0.26, 0.2}), dx), dx);
+    const std::string report = sph::describe(scene);
+    says(report, "  Pier_2: 30 particles");
+    says(report, "  Pier_3: 30 particles");
+    says(report, "  Beside_1 (Water, Pier_2): ");
+    says(report, "  Beside_2 (Water, Pier_3): ");
+    const auto limits = scene.time_step_limits();
+    for (const char* name : {"Beside_1", "Beside_2"})
+        CHECK(std::count_if(limits.begin(), limits.end(), [&](const auto& l) { return l.where == name; }) > 0);
+}
+
 TEST_CASE("The live line comes behind what deserves a look, once", "[reports]") {
     sph::Solver<2, float, sph::SymplecticEuler, Calm> scene({.support_radius = 0.021, .threads = 1});
     scene.add(Calm{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, 0}, {0.2, 0.2}}, 0.02), 0.02);

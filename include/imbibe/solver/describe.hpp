@@ -83,9 +83,10 @@ std::string describe(Scene& scene) {
              Scene::width, ", ", scene.threads(), scene.threads() == 1 ? " thread" : " threads", ", ",
              scene.particles(), " particles, support radius ", scene.settings().support_radius * 1e3, " mm\n");
     const auto& engine = scene.engine();
+    const typename Scene::Phases phases;
     engine.for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
-        out += text("  ", detail::type_name<P>(), ": ", s.size(), " particles, spacing ", s.material.spacing * 1e3,
-                    " mm, support radius ", s.material.support_radius * 1e3, " mm, ",
+        out += text("  ", detail::name_among<P>(phases), ": ", s.size(), " particles, spacing ",
+                    s.material.spacing * 1e3, " mm, support radius ", s.material.support_radius * 1e3, " mm, ",
                     State::component_total * sizeof(Real),
                     " bytes each\n    material: ", detail::material_in_words(s.material),
                     "\n    effects: ", detail::names_of(typename P::terms{}),
@@ -93,8 +94,9 @@ std::string describe(Scene& scene) {
                     "\n    sweeps:  ", Costs::template sweeps<P>, " a step\n");
     });
     const auto coupling = [&]<class C>(std::type_identity<C>) {
-        out += text("  ", detail::type_name<C>(), " (", detail::type_name<typename C::First>(), ", ",
-                    detail::type_name<typename C::Second>(), "): ", detail::names_of(typename C::terms{}), "\n");
+        out += text("  ", detail::name_among<C>(typename Scene::Couplings{}), " (",
+                    detail::name_among<typename C::First>(phases), ", ", detail::name_among<typename C::Second>(phases),
+                    "): ", detail::names_of(typename C::terms{}), "\n");
     };
     [&]<class... C>(TypeList<C...>) { (coupling(std::type_identity<C>{}), ...); }(typename Scene::Couplings{});
     out += text("Schedule: ", Costs::rounds, " rounds, ", Costs::loops,
@@ -103,8 +105,8 @@ std::string describe(Scene& scene) {
     engine.for_each_link([&]<class L>(const L& link) {
         const double mean = engine.mean_neighbours(link);
         if (mean > 0)
-            out += text("Neighbours: ", detail::type_name<typename L::A>(), " has ", mean, " of ",
-                        detail::type_name<typename L::B>(), L::reference ? " (reference)" : "", " on average; ",
+            out += text("Neighbours: ", detail::name_among<typename L::A>(phases), " has ", mean, " of ",
+                        detail::name_among<typename L::B>(phases), L::reference ? " (reference)" : "", " on average; ",
                         Costs::template loads<typename L::A, typename L::B>, " numbers of each are loaded in a step\n");
     });
     out += "Time step:" + detail::limits_in_words(scene.time_step_limits());

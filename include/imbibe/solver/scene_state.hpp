@@ -45,6 +45,7 @@ public:
     template <class P>
     using State = PhaseState<P, FieldsOf<P>, dim, Real>;
     using Phases = typename Scene::Phases;
+    using Couplings = typename Scene::Couplings;
     using Links = typename LinksOf<dim, typename Scene::Nodes>::type;
 
     Vector<double, dim> gravity{};

@@ -75,13 +75,20 @@ public:
         const TimeStepInput in = input_of<P>();
         const double speed = std::max(in.max_speed, P::moves ? std::sqrt(in.spacing * in.max_acceleration) : 0.0);
         if (speed > 0)
-            add(in.spacing / speed, "advection", type_name<P>());
+            add(in.spacing / speed, "advection", name_of<P>());
         add_advection_of_terms<P>(in, typename P::terms{});
     }
 
 private:
     const Engine& engine_;
 
+    template <class Where>
+    static std::string name_of() {
+        if constexpr (IsCoupling<Where>)
+            return name_among<Where>(typename Engine::Couplings{});
+        else
+            return name_among<Where>(typename Engine::Phases{});
+    }
     template <class P>
     const auto& material() const {
         return engine_.template state<P>().material;
@@ -102,7 +109,7 @@ private:
         const TimeStepInput in = input_of<P>();
         (add_term_of_phase<Term, P>(in), ...);
         if (P::moves && Which::template chosen<P, Acceleration> && in.max_acceleration > 0)
-            add(std::sqrt(in.spacing / in.max_acceleration), "acceleration", type_name<P>());
+            add(std::sqrt(in.spacing / in.max_acceleration), "acceleration", name_of<P>());
     }
     template <class P, class... Term>
     void add_advection_of_terms(const TimeStepInput& in, TypeList<Term...>) {
@@ -112,7 +119,7 @@ private:
                                   T::advection_limit(all, in, all.coefficients.template get<typename T::Parameters>());
                               })
                     add(T::advection_limit(all, in, all.coefficients.template get<typename T::Parameters>()),
-                        T::advection_limit_name, type_name<P>());
+                        T::advection_limit_name, name_of<P>());
         };
         (one(std::type_identity<Term>{}), ...);
     }
@@ -200,7 +207,7 @@ private:
             return;
         else if constexpr (requires { Term::limit_name; })
             if (seconds >= 0 && seconds < std::numeric_limits<double>::infinity())
-                add(seconds, Term::limit_name, type_name<Where>());
+                add(seconds, Term::limit_name, name_of<Where>());
     }
 };
 
