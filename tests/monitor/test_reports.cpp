@@ -18,6 +18,12 @@ struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapola
 struct Calm : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 using Scene = sph::Solver<2, float, sph::SymplecticEuler, Water, Tank, Sides>;
 
+template <int>
+struct Pier : sph::Wall<> {};
+template <class Solid>
+struct Beside : sph::Coupling<Water, Solid, sph::Into<Solid, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>,
+                              sph::MonaghanViscosity<K>> {};
+
 Scene dam() {
     constexpr double dx = 0.02;
     Scene scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .threads = 1});
@@ -160,12 +166,6 @@ TEST_CASE("The live line shows the last step that the end of the run did not cut
     REQUIRE_THROWS_WITH(sph::Progress(-1, false), imbibe_test::contains("end = -1 s"));
     REQUIRE_THROWS_WITH(sph::Progress(std::nan(""), true), imbibe_test::contains("end = nan s"));
 }
-
-template <int>
-struct Pier : sph::Wall<> {};
-template <class Solid>
-struct Beside : sph::Coupling<Water, Solid, sph::Into<Solid, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>,
-                              sph::MonaghanViscosity<K>> {};
 
 TEST_CASE("Couplings and phases of one name are told apart in the report and in the limits", "[reports]") {
     constexpr double dx = 0.02;
