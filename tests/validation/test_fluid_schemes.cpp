@@ -64,10 +64,12 @@ TEST_CASE("Vortices decay as they should where particles are shifted", "[fluid]"
     CHECK(lined_up.at[1].speed < 0.95);
 }
 
-// With the default coefficients a third of the speed is lost.
+// With the default coefficients a third of the speed is lost. At last 1.3 to 2.1 and 1.5 to 2.4 % too fast, as a lattice
+// falls apart in one way or another: from 24 starts that differ by a millionth of a spacing. The bounds are their mean
+// and three times their scatter.
 TEST_CASE("Vortices decay as they should from a lattice, with strong shifting", "[fluid]") {
-    check_vortices(vortices_from_lattice<square::Shifted<K>>(), 0.02);
-    check_vortices(vortices_from_lattice<square::Antuono<K>>(), 0.02);
+    check_vortices(vortices_from_lattice<square::Shifted<K>>(), 0.023);
+    check_vortices(vortices_from_lattice<square::Antuono<K>>(), 0.027);
 }
 
 // The velocity that shifted particles take along is most of the error where viscosity does not wipe it out.
