@@ -328,8 +328,7 @@ private:
         // Before the first step what is found there says why.
         const bool is_said = scene.steps() == 0 && (cause == Cause::left_domain || cause == Cause::inside_wall);
         throw Diverged(text("particle ", phase.ids()[static_cast<std::size_t>(i)], " of phase ", name, " at (",
-                            listed(where), ") m ", what, is_said ? "" : "; ", is_said ? "" : moment(scene),
-                            is_said ? "" : reason(scene)),
+                            listed(where), ") m ", what, is_said ? "" : "; " + moment(scene) + reason(scene)),
                        cause, name, where, scene.time(), scene.steps());
     }
     static std::string listed(const std::vector<double>& numbers) {
