@@ -82,12 +82,12 @@ public:
 private:
     const Engine& engine_;
 
+    // Worked out once: limits are asked for in every step.
     template <class Where>
-    static std::string name_of() {
-        if constexpr (IsCoupling<Where>)
-            return name_among<Where>(typename Engine::Couplings{});
-        else
-            return name_among<Where>(typename Engine::Phases{});
+    static const std::string& name_of() {
+        using All = std::conditional_t<IsCoupling<Where>, typename Engine::Couplings, typename Engine::Phases>;
+        static const std::string name = name_among<Where>(All{});
+        return name;
     }
     template <class P>
     const auto& material() const {

@@ -116,10 +116,9 @@ void start_hydrostatic(Scene& scene, Phase phase, double surface) {
     };
     const double densest = density_under(surface - lowest) / material.density;
     require(densest <= 3, "start_hydrostatic: under a surface at ", surface, " m the lowest particle, at ", lowest,
-            " m, would have ", densest,
-            " times the density at rest; at most 3 are taken for meant. Is the surface in metres "
-            "(the highest particle is at ",
-            highest, " m), and the sound speed, ", material.sound_speed, " m/s, high enough?");
+            " m, would have ", densest, " times the density at rest; at most 3 are taken for meant. Is the surface in ",
+            "metres (the highest particle is at ", highest, " m), and the sound speed, ", material.sound_speed,
+            " m/s, high enough?");
     for (int i = 0; i < view.size(); ++i) {
         const double after = density_under(surface - height(i));
         m(i) = static_cast<Real>(static_cast<double>(m(i)) * after / static_cast<double>(rho(i)));
