@@ -55,12 +55,14 @@ private:
     template <class Scene>
     void look_at_particles(const Scene& scene) {
         static_assert(Scene::dimension == dim, "imbibe: a Guard is of its scene's dimension");
-        scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
-            look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene), P::moves);
-        });
-        scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
-        look_at_energy(scene);
-        glance(scene);
+        if constexpr (Scene::dimension == dim) { // else one error is enough
+            scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
+                look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene), P::moves);
+            });
+            scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
+            look_at_energy(scene);
+            glance(scene);
+        }
     }
 
     GuardSettings<dim> settings_;

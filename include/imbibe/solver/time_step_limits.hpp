@@ -82,11 +82,12 @@ public:
 private:
     const Engine& engine_;
 
-    // Worked out once: limits are asked for in every step.
+    // Worked out once, as limits are asked for in every step; and never destroyed, so that a host's own destructors may
+    // still ask at the program's end.
     template <class Where>
     static const std::string& name_of() {
         using All = std::conditional_t<IsCoupling<Where>, typename Engine::Couplings, typename Engine::Phases>;
-        static const std::string name = name_among<Where>(All{});
+        static const std::string& name = *new std::string(name_among<Where>(All{}));
         return name;
     }
     template <class P>
