@@ -34,13 +34,16 @@ int main() {
     const double start = centre();
 
     sph::require_writable("out-moving-wall");
-    sph::Table table(
-        "out-moving-wall/sloshing.csv",
-        {{"time", "s"}, {"tank", "m"}, {"centre of the water in the tank", "m"}, {"pressure at the left wall", "Pa"}});
+    sph::Table table("out-moving-wall/sloshing.csv", {{"time", "s"},
+                                                      {"tank", "m"},
+                                                      {"centre of the water in the tank", "m"},
+                                                      {"pressure at the left wall", "Pa"},
+                                                      {"height of the surface there", "m"}});
     double tank_at = 0;
     auto write = sph::every(0.01, [&](const Scene& now) {
         const double gauge = sph::value_at(now, water, sph::pressure, {tank_at, depth / 2});
-        table.row({now.time(), tank_at, centre() - start - tank_at, gauge});
+        const double height = sph::surface_height(now, water, {tank_at, 0});
+        table.row({now.time(), tank_at, centre() - start - tank_at, gauge, height});
     });
     sph::Guard<2> guard({.lower = {-0.1, -0.1}, .upper = {length + 0.1, 0.7}});
     while (scene.time() < end) {

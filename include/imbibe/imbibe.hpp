@@ -44,6 +44,7 @@
 #include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/monitor/narrowest_passage.hpp>
 #include <imbibe/monitor/progress.hpp>
+#include <imbibe/monitor/surface_height.hpp>
 #include <imbibe/monitor/value_at.hpp>
 #include <imbibe/output/recover.hpp>
 #include <imbibe/output/snapshots.hpp>

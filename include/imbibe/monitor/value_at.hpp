@@ -13,6 +13,22 @@
 
 namespace imbibe {
 
+namespace detail {
+// From a place to a particle's position as the phase stores it, m: to the nearest one of its images.
+template <class Scene, class Position>
+Point<Scene::dimension> offset_from(const Point<Scene::dimension>& place, const Position& stored, const Scene& scene) {
+    const Settings<Scene::dimension>& settings = scene.settings();
+    Point<Scene::dimension> off = stored.transpose().template cast<double>() - place;
+    for (int d = 0; d < Scene::dimension; ++d) {
+        const auto axis = static_cast<std::size_t>(d);
+        off[d] += settings.origin[axis];
+        if (const double length = settings.periodic_length[axis]; length > 0)
+            off[d] -= length * std::round(off[d] / length);
+    }
+    return off;
+}
+} // namespace detail
+
 /// A field of a phase at a place, in the field's unit: `value_at(scene, water, pressure, {0.8, 0.02})`.
 ///
 /// From the particles nearer than `support`, with weights w_b = W_ab of Wendland's C2, by moving least squares of first
@@ -47,7 +63,6 @@ auto value_at(const Scene& scene, PhaseHandle<P> which, F field, const Point<Sce
     require(std::isfinite(support) && support >= 0, "value_at: a support of ", support,
             " m; it must be above 0 m, or 0 for that of the phase");
     const double H = support > 0 ? support : phase.material().support_radius;
-    const Settings<dim>& settings = scene.settings();
 
     struct Near {
         double weight;
@@ -56,13 +71,7 @@ auto value_at(const Scene& scene, PhaseHandle<P> which, F field, const Point<Sce
     };
     std::vector<Near> around;
     for (int i = 0; i < phase.size(); ++i) {
-        Point<dim> off = x.row(i).transpose().template cast<double>() - place;
-        for (int d = 0; d < dim; ++d) {
-            const auto axis = static_cast<std::size_t>(d);
-            off[d] += settings.origin[axis];
-            if (const double length = settings.periodic_length[axis]; length > 0)
-                off[d] -= length * std::round(off[d] / length);
-        }
+        const Point<dim> off = detail::offset_from(place, x.row(i), scene);
         if (const double q = off.norm() / H; q < 1)
             around.push_back({WendlandC2::value(q), off / H, f.row(i).transpose().template cast<double>()});
     }
