@@ -304,7 +304,7 @@ private:
     // that were sorted are added up in another order.
     template <class Scene>
     double round_off(const Scene& scene) const {
-        const double half_bit = 0.5 * std::numeric_limits<typename Scene::Real>::epsilon();
+        const double half_bit = 0.5 * static_cast<double>(std::numeric_limits<typename Scene::Real>::epsilon());
         const auto steps = static_cast<double>(scene.steps() - start_->steps);
         double energy = 0;
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {

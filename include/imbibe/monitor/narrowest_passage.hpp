@@ -74,7 +74,8 @@ std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSe
     for (int a = 0; a < neighbours.size(0); ++a) {
         Vector sum = Vector::Zero();
         double most = 0;
-        neighbours.for_each(0, a, [&](int, const auto& offset, double r) {
+        neighbours.for_each(0, a, [&](int, const auto& offset, Real distance) {
+            const auto r = static_cast<double>(distance);
             const double weight = (1 - r / support) * (1 - r / support);
             sum += weight * offset.template cast<double>();
             most += weight * r;
@@ -93,7 +94,8 @@ std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSe
     across.update();
     std::optional<Passage<dim>> least;
     for (int a = 0; a < across.size(0); ++a)
-        across.for_each(0, a, [&](int b, const auto& offset, double r) {
+        across.for_each(0, a, [&](int b, const auto& offset, Real distance) {
+            const auto r = static_cast<double>(distance);
             const Vector to_b = -offset.template cast<double>();
             const double out = normals[static_cast<std::size_t>(a)].dot(to_b);
             const double back = -normals[static_cast<std::size_t>(b)].dot(to_b);
