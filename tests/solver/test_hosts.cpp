@@ -1,5 +1,6 @@
 // What a host does to a scene between steps is seen: walls that it moves, fields and gravity that it sets, numbers that
 // are none; and what is doubtful about a scene is said before it runs.
+#include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
@@ -325,6 +326,26 @@ TEST_CASE("What is doubtful about a scene is said before its first step", "[host
         };
         check_warning(beside(0), "struct Sides : Coupling<Water, Tank");
         CHECK(beside(1).empty());
+    }
+    SECTION("a wall that pushes and that the density of the water does not count") {
+        struct Unseen
+            : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>> {};
+        struct Seen : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                                    sph::Into<Water, sph::VolumeContinuity<K>>> {};
+        struct Repels : sph::Coupling<Water, Tank, sph::KernelRepulsion<>> {};
+        const auto beside = []<class Sides>(std::type_identity<Sides>, double gap) {
+            sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Sides> scene(settings());
+            scene.add(water, block(0, 0, 0.5, 0.5), dx);
+            scene.add(Tank{{.density = 1000}}, block(0, -0.15 - gap, 0.5, 0.15), dx);
+            scene.prepare();
+            return scene.warnings();
+        };
+        check_warning(beside(std::type_identity<Unseen>{}, 0),
+                      "Unseen pushes Water by pressure, but the density of Water "
+                      "does not count Tank");
+        CHECK(beside(std::type_identity<Unseen>{}, 1).empty());
+        CHECK(beside(std::type_identity<Seen>{}, 0).empty());
+        CHECK(beside(std::type_identity<Repels>{}, 0).empty());
     }
 }
 

@@ -231,14 +231,30 @@ template <class P, class Term>
 struct Into {};
 
 namespace detail {
-template <class Term>
-struct Unwrapped {
-    using type = Term;
+// What stands in the list of a phase or coupling: a term, and the phase on which it acts there, or (void) both sides.
+template <class T>
+struct Listed {
+    using Term = T;
+    using On = void;
 };
-template <class P, class Term>
-struct Unwrapped<Into<P, Term>> {
-    using type = Term;
+template <class P, class T>
+struct Listed<Into<P, T>> {
+    using Term = T;
+    using On = P;
 };
+// Does it act on phase P?
+template <class P, class T>
+inline constexpr bool acts_on = std::is_void_v<typename Listed<T>::On> || std::is_same_v<typename Listed<T>::On, P>;
+// Has a phase or coupling with these terms one of the effect that acts on phase P?
+template <class P, class Effect, class... T>
+constexpr bool has_effect_on(TypeList<T...>) {
+    const auto has = []<class Term>(std::type_identity<Term>) {
+        return requires {
+            requires std::is_same_v<typename Term::effect, Effect>;
+        };
+    };
+    return ((acts_on<P, T> && has(std::type_identity<typename Listed<T>::Term>{})) || ...);
+}
 } // namespace detail
 
 /// The terms between two phases.
@@ -249,7 +265,7 @@ struct Coupling {
     /// The other one.
     using Second = Second_;
     using terms = TypeList<Terms...>;
-    Coefficients<typename detail::Unwrapped<Terms>::type...> coefficients{};
+    Coefficients<typename detail::Listed<Terms>::Term...> coefficients{};
 
     template <class P>
     constexpr void set(const P& parameters) {

@@ -48,17 +48,6 @@ private:
                    check_named<typename C::Second, C, TypeList<Items...>>() &&
                    check_targets<C>(typename TargetsOf<typename C::terms>::type{});
     }
-    // A term of an item, and on which phase it acts there: one, or (void) both sides of a coupling.
-    template <class T>
-    struct Listed {
-        using Term = T;
-        using On = void;
-    };
-    template <class P, class T>
-    struct Listed<Into<P, T>> {
-        using Term = T;
-        using On = P;
-    };
     template <class T, class U>
     static constexpr bool overlap = std::is_void_v<typename Listed<T>::On> || std::is_void_v<typename Listed<U>::On> ||
                                     std::is_same_v<typename Listed<T>::On, typename Listed<U>::On>;
@@ -154,18 +143,7 @@ private:
     static constexpr bool check_terms(TypeList<T...> list) {
         return (check_term<Item, T>() && ...) && check_twos<Item>(list) && check_kernels<Item, void>(list);
     }
-    // Has a coupling with these terms one of the effect, or the term itself, that acts on phase P?
-    template <class P, class T>
-    static constexpr bool acts_on = std::is_void_v<typename Listed<T>::On> || std::is_same_v<typename Listed<T>::On, P>;
-    template <class P, class Effect, class... T>
-    static constexpr bool has_effect_on(TypeList<T...>) {
-        const auto has = []<class Term>(std::type_identity<Term>) {
-            return requires {
-                requires std::is_same_v<typename Term::effect, Effect>;
-            };
-        };
-        return ((acts_on<P, T> && has(std::type_identity<typename Listed<T>::Term>{})) || ...);
-    }
+    // Has a coupling with these terms the term that acts on phase P?
     template <class P, class Term, class... T>
     static constexpr bool has_term_on(TypeList<T...>) {
         return ((acts_on<P, T> && std::is_same_v<typename Listed<T>::Term, Term>) || ...);

@@ -260,7 +260,7 @@ private:
     }
     template <class C, class... Term>
     static constexpr bool wants_nearest(TypeList<Term...>) {
-        return (asks_for_nearest<typename Unwrapped<Term>::type> || ...);
+        return (asks_for_nearest<typename Listed<Term>::Term> || ...);
     }
     template <class Term>
     static constexpr bool asks_for_nearest = requires {

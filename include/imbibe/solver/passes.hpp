@@ -129,9 +129,8 @@ template <class Scene, class List>
 class RowsOfTerms {
     template <class Part, class... T>
     static constexpr bool is_part_of_another(TypeList<T...>) {
-        return (
-            (!contains<typename Unwrapped<T>::type, List> && contains<Part, PartList<typename Unwrapped<T>::type>>) ||
-            ...);
+        return ((!contains<typename Listed<T>::Term, List> && contains<Part, PartList<typename Listed<T>::Term>>) ||
+                ...);
     }
     template <class Part, class... Item>
     static constexpr bool is_shared(TypeList<Item...>) {
@@ -159,7 +158,7 @@ class RowsOfTerms {
     }
     template <class T, class... Term>
     static constexpr bool lists(TypeList<Term...>) {
-        return (std::is_same_v<T, typename Unwrapped<Term>::type> || ...);
+        return (std::is_same_v<T, typename Listed<Term>::Term> || ...);
     }
     template <class... T>
     static constexpr bool check_all(TypeList<T...>) {
@@ -233,7 +232,7 @@ class RowsOfTerms {
     struct IsOther : std::bool_constant<others.test(index_of<N, typename Scene::StepRows>)> {};
 
 public:
-    using Listed = Filter<IsListed, typename Scene::StepRows>;
+    using Own = Filter<IsListed, typename Scene::StepRows>;
     using Others = Filter<IsOther, typename Scene::StepRows>;
     /// True, or a compile error: are the terms of the list in the scene, and fit to be evaluated by themselves?
     static constexpr bool check() { return check_all(List{}) && check_rows(typename Scene::StepRows{}); }
@@ -244,7 +243,7 @@ public:
 /// The terms in a list, with what only they ask for, with the states as they are.
 template <class Scene, class List>
 struct TermsOf {
-    using Rows = typename RowsOfTerms<Scene, List>::Listed;
+    using Rows = typename RowsOfTerms<Scene, List>::Own;
     static constexpr Plan plan = Scene::plan_of(Rows{}, TypeList<>{});
     static constexpr Bits added = Scene::added_by(Rows{});
     static constexpr bool gravity = true;
@@ -254,7 +253,7 @@ struct TermsOf {
 template <class Scene, class List>
 struct AllButTermsOf {
     using Rows = typename RowsOfTerms<Scene, List>::Others;
-    static constexpr Plan plan = Scene::plan_of(Rows{}, typename RowsOfTerms<Scene, List>::Listed{});
+    static constexpr Plan plan = Scene::plan_of(Rows{}, typename RowsOfTerms<Scene, List>::Own{});
     static constexpr Bits kept = RowsOfTerms<Scene, List>::accelerations();
     static constexpr Bits added = Scene::added_by(Rows{}) - kept;
     static constexpr bool gravity = false;

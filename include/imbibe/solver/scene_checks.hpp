@@ -31,7 +31,7 @@ void check_terms(const Owner& owner, TypeList<Term...>) {
             check_term<T>(owner, type_name<Where>());
     };
     if constexpr (requires { typename Owner::First; })
-        (check(std::type_identity<typename Unwrapped<Term>::type>{}), ...);
+        (check(std::type_identity<typename Listed<Term>::Term>{}), ...);
     else
         (check(std::type_identity<Term>{}), ...);
 }
@@ -148,6 +148,26 @@ std::string warning_of_no_coupling(const Engine& engine) {
     return {};
 }
 
+/// A sentence if a coupling pushes a fluid by pressure, and the fluid's density, which follows from its motion, does
+/// not count the other phase, or an empty one. The pressure then does not rise where the fluid comes nearer, and it
+/// goes through. (Repulsion rises by itself.)
+/// @param engine after a search
+template <class C, class P, class Engine>
+std::string warning_of_no_continuity(const Engine& engine) {
+    using Other = std::conditional_t<std::is_same_v<P, typename C::First>, typename C::Second, typename C::First>;
+    using Terms = typename C::terms;
+    if constexpr (is_fluid<P> && has_effect_on<P, effects::continuity_equation>(typename P::terms{}) &&
+                  has_effect_on<P, effects::pressure_force>(Terms{}) &&
+                  !has_effect_on<P, effects::continuity_equation>(Terms{}))
+        if (!engine.template are_apart<P, Other>()) {
+            const std::string fluid = type_name<P>(), other = type_name<Other>(), coupling = type_name<C>();
+            return text(coupling, " pushes ", fluid, " by pressure, but the density of ", fluid, " does not count ",
+                        other, ", so that the pressure does not rise where the two come nearer. List the ", fluid,
+                        "'s continuity equation in ", coupling, " too, as in Into<", fluid, ", VolumeContinuity<K>>");
+        }
+    return {};
+}
+
 /// A sentence if a fluid is compressed by a twentieth under its own weight, or an empty one.
 /// @param engine after a search
 template <class P, class Engine>
@@ -203,7 +223,7 @@ void check_shared_parts(const C& one, const D& other, TypeList<TermC...>) {
             check_shared<P, Term>(one, other);
     };
     [[maybe_unused]] const auto each = [&]<class T>(std::type_identity<T> term) {
-        if constexpr (!std::is_same_v<T, typename Unwrapped<T>::type>)
+        if constexpr (!std::is_same_v<T, typename Listed<T>::Term>)
             check(term);
     };
     (each(std::type_identity<TermC>{}), ...);

@@ -465,6 +465,8 @@ private:
                 note(detail::warning_of_other_spacing(link, engine_));
         });
         (note(detail::warning_of_other_support<C>(engine_)), ...);
+        (note(detail::warning_of_no_continuity<C, typename C::First>(engine_)), ...);
+        (note(detail::warning_of_no_continuity<C, typename C::Second>(engine_)), ...);
     }
     void note(const std::string& sentence) {
         if (!sentence.empty() && std::find(warnings_.begin(), warnings_.end(), sentence) == warnings_.end())

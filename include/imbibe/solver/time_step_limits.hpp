@@ -147,7 +147,7 @@ private:
         in.other_spacing = other.spacing;
         in.other_max_speed = other.max_speed;
         in.nearest = engine_.template nearest_of<C>();
-        (add_term_of_coupling<typename Unwrapped<Term>::type, C, A, B>(in), ...);
+        (add_term_of_coupling<typename Listed<Term>::Term, C, A, B>(in), ...);
     }
     template <class Term, class P>
     TimeStepInput with_extremes(TimeStepInput in) const {
