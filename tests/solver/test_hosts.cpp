@@ -332,7 +332,8 @@ TEST_CASE("What is doubtful about a scene is said before its first step", "[host
             : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>> {};
         struct Seen : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                     sph::Into<Water, sph::VolumeContinuity<K>>> {};
-        struct Repels : sph::Coupling<Water, Tank, sph::KernelRepulsion<>> {};
+        struct Repels : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>,
+                                      sph::VolumePressure<K>, sph::KernelRepulsion<>> {};
         const auto beside = []<class Sides>(std::type_identity<Sides>, double gap) {
             sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Sides> scene(settings());
             scene.add(water, block(0, 0, 0.5, 0.5), dx);
