@@ -83,10 +83,10 @@ void print_scaling() {
                 distance_of_repulsion(1e-5, plate) / (0.5 * (plate.water + plate.solid)));
 }
 
-/// How far curves are apart at most, as a share of the greatest of all values.
-double spread_of(const std::vector<Outcome>& outcomes) {
+/// How far curves are apart at most in the first `samples` of their values, as a share of the greatest of these.
+double spread_of(const std::vector<Outcome>& outcomes, std::size_t samples) {
     double most = 0, apart = 0;
-    for (std::size_t k = 0; k < outcomes.front().curve.size(); ++k) {
+    for (std::size_t k = 0; k < samples; ++k) {
         double low = 1e300, high = -1e300;
         for (const Outcome& o : outcomes) {
             if (k >= o.curve.size())
@@ -144,8 +144,10 @@ int main(int argc, char** argv) {
                         supports ? "H in spacings" : "the spacing in mm");
             for (double v : values)
                 std::printf(" %.3g |", supports ? v : v * 1e3);
-            std::printf(" spread of the curves | mean step [us] | seconds | least distance [spacings] |\n|---|");
-            for (std::size_t k = 0; k < values.size() + 4; ++k)
+            std::printf(
+                " spread until %g s | until %g s | mean step [us] | seconds | least distance [spacings] |\n|---|",
+                0.5 * scene.end, scene.end);
+            for (std::size_t k = 0; k < values.size() + 5; ++k)
                 std::printf("---|");
             std::printf("\n");
             for (const Named& contact : scene.contacts) {
@@ -166,8 +168,9 @@ int main(int argc, char** argv) {
                     std::fflush(stdout);
                 }
                 const Outcome& first = outcomes.front();
-                std::printf(" %.1f %% | %.3g | %.3g | %.2f |\n", 100 * spread_of(outcomes), first.step * 1e6,
-                            first.seconds, first.gap);
+                const std::size_t samples = first.curve.size();
+                std::printf(" %.1f %% | %.1f %% | %.3g | %.3g | %.2f |\n", 100 * spread_of(outcomes, samples / 2),
+                            100 * spread_of(outcomes, samples), first.step * 1e6, first.seconds, first.gap);
                 for (std::size_t k = 0; k < outcomes.size(); ++k)
                     if (!outcomes[k].failure.empty())
                         std::fprintf(stderr, "%s, %s: %s\n", contact.name.c_str(), names[k].c_str(),

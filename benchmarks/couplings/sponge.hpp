@@ -30,7 +30,7 @@ Outcome run_with(const Numerics& numerics) {
     couple<Kit>(scene, load, {support, c.water_spacing, c.solid_spacing, 3});
     const sph::DisplacementProbe<3> probe(scene[slab]);
     Outcome outcome = run<Kit>(
-        scene, end, 100, [&](const auto& s) { return 1e3 * probe.mean(s[slab]); },
+        scene, end, 200, [&](const auto& s) { return 1e3 * probe.mean(s[slab]); },
         [&](auto& s, double) {
             if (s.steps() % 20 == 0)
                 s.remove_if(pool, [&](const auto& x) { return x[2] < -c.drain; });
