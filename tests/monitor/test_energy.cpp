@@ -44,6 +44,8 @@ std::array<double, 3> energies_in(const Eigen::Matrix<double, dim, dim>& e) {
     for (int row = 0, k = 0; row < dim; ++row)
         for (int column = row; column < dim; ++column, ++k)
             S.col(k).setConstant(2 * G * (e(row, column) - (row == column ? e.trace() / 3 : 0)));
+    CHECK(sph::stored_energy(rated[a]) ==
+          Approx(sph::compression_energy(rated[a]) + sph::shear_energy<dim>(rated[a])).epsilon(1e-12));
 
     return {sph::compression_energy(rated[a]), sph::shear_energy<dim>(rated[a]),
             elastic_energy_in<dim, sph::StVenantKirchhoff>(e)};
@@ -81,6 +83,18 @@ TEST_CASE("A total-Lagrangian solid stores what its own law says", "[energy]") {
           Approx(volume * (lambda / 2 + mu) * E * E).epsilon(1e-12));
     CHECK(elastic_energy_in<3, sph::NeoHookean>(squeezed) ==
           Approx(volume * (lambda / 4 * (2 * E - 2 * log) + mu / 2 * (2 * E - 2 * log))).epsilon(1e-12));
+}
+
+TEST_CASE("The potential energy of a body is its weight times its height, whichever way gravity points", "[energy]") {
+    struct Stone : sph::Fluid<> {};
+    sph::Solver<3, double, sph::SymplecticEuler, Stone> scene({.support_radius = 0.2});
+    const auto stone = scene.add(Stone{{.density = 800, .sound_speed = 30}}, {{0.3, -0.5, 0.7}}, 0.1);
+    for (int d = 0; d < 3; ++d) {
+        std::array<double, 3> gravity{};
+        gravity[static_cast<std::size_t>(d)] = -9.81;
+        const double height = std::array{0.3, -0.5, 0.7}[static_cast<std::size_t>(d)];
+        CHECK(sph::potential_energy(scene[stone], gravity) == Approx(0.8 * 9.81 * height));
+    }
 }
 
 TEST_CASE("What is added during a run stores nothing until it is deformed", "[energy]") {

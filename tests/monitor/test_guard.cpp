@@ -157,6 +157,48 @@ TEST_CASE("A guard names the particle that is wrong", "[guard]") {
     }
 }
 
+TEST_CASE("A guard keeps the bounds that it is given", "[guard]") {
+    auto scene = pool();
+    scene.step();
+    auto view = scene[water];
+    const int i = 17;
+    const sph::Guard<2> usual;
+    SECTION("too thin") {
+        view[sph::density](i, 0) = 400;
+        const auto error = thrown_by([&] { sph::Guard<2>(usual).look(scene); });
+        CHECK(error.cause == sph::Cause::wrong_density);
+        CHECK_THAT(error.what(), contains("400 kg/m^3"));
+    }
+    SECTION("narrower bounds of the density") {
+        for (const float rho : {950.f, 1050.f}) {
+            view[sph::density](i, 0) = rho;
+            CHECK_NOTHROW(sph::Guard<2>(usual).look(scene));
+            const auto error =
+                thrown_by([&] { sph::Guard<2>({.least_density = 0.96, .greatest_density = 1.04}).look(scene); });
+            CHECK(error.cause == sph::Cause::wrong_density);
+        }
+    }
+    SECTION("half the speed of sound") {
+        view[sph::velocity](i, 0) = 30;
+        scene.step();
+        CHECK_NOTHROW(sph::Guard<2>(usual).look(scene));
+        CHECK(thrown_by([&] { sph::Guard<2>({.speed = 0.5}).look(scene); }).cause == sph::Cause::too_fast);
+    }
+}
+
+TEST_CASE("A guard's domain is in the coordinates of the world", "[guard]") {
+    Flight scene({.support_radius = 0.1, .time_step = 0.01, .origin = {100, 50}});
+    scene.add(Stone{{.density = 1, .sound_speed = 100}}, {{100.5, 50.5}}, 0.05);
+    scene.step();
+    CHECK_NOTHROW(sph::Guard<2>({.lower = {100, 50}, .upper = {101, 51}}).look(scene));
+    for (const auto& bounds : {sph::GuardSettings<2>{.lower = {100.6, 50}, .upper = {101, 51}},
+                               sph::GuardSettings<2>{.lower = {100, 50}, .upper = {101, 50.4}}}) {
+        const auto error = thrown_by([&] { sph::Guard<2>(bounds).look(scene); });
+        CHECK(error.cause == sph::Cause::left_domain);
+        CHECK(error.position[0] == Approx(100.5));
+    }
+}
+
 TEST_CASE("A guard notices a particle that is on its way through a wall, and none that stands in a corner", "[guard]") {
     CHECK_NOTHROW(drop_at<2>({0.5, dx / 2}));                  // at a wall, as a layer of water
     CHECK_NOTHROW(drop_at<2>({0.5, -0.1 * dx}));               // pressed a little behind its face

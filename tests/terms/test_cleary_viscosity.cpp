@@ -106,6 +106,12 @@ TEST_CASE("the limit of ClearyViscosity is dim/(dim + 2) of that of MorrisViscos
         const TimeStepInput in{4e-3, 1e-3, 1, 1, dim};
         CHECK(ClearyViscosity<>::time_step_limit(oil(), in) ==
               Approx(MorrisViscosity<>::time_step_limit(oil(), in) * dim / (dim + 2) / (dim == 2 ? 1.4 : 1.6)));
+        // between two fluids that of one with the harmonic mean of the viscosities and the lighter density
+        Water both = oil();
+        both.viscosity = 2 * 0.03 * 0.001 / (0.03 + 0.001);
+        const double expected = ClearyViscosity<>::time_step_limit(both, in);
+        CHECK(ClearyViscosity<>::time_step_limit(oil(), brine(), in) == Approx(expected));
+        CHECK(ClearyViscosity<>::time_step_limit(brine(), oil(), in) == Approx(expected));
     }
 }
 

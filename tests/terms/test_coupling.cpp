@@ -102,6 +102,16 @@ TEST_CASE("KernelRepulsion with a range of its own reaches as far, and no furthe
     shorter.support_radius = reach;
     CHECK(KernelRepulsion<>::time_step_limit(f, s, in, term.parameters) ==
           Approx(KernelRepulsion<>::time_step_limit(f, s, shorter, {.stiffness = K})).epsilon(1e-12));
+    // A range beyond the support radius is one of the support radius, in the force and in the limits.
+    const double held = push(0.5 * H);
+    CHECK(held == 0);
+    term.parameters.range = 5;
+    const double of_the_support = 45 / (pi * std::pow(H, 6)) * sq(0.5 * H);
+    CHECK(push(0.5 * H) == Approx(-K * std::pow(5e-4, 3) / 1000 * of_the_support).epsilon(1e-9));
+    CHECK(KernelRepulsion<>::time_step_limit(f, s, in, {.stiffness = K, .range = 5}) ==
+          KernelRepulsion<>::time_step_limit(f, s, in, {.stiffness = K}));
+    CHECK(KernelRepulsion<>::time_step_limit(f, in, {.stiffness = K, .range = 5}) ==
+          KernelRepulsion<>::time_step_limit(f, in, {.stiffness = K}));
 }
 
 TEST_CASE("the terms of the fluid in a coupling are Eqs. (23) and (25), pair by pair") {

@@ -77,6 +77,8 @@ void check_balance() {
     const double expected = 2 * 0.1 * 1.5e-3 * 30 * plain(b[volume]) *
                             (plain(b[density]) - plain(a[density]) - gradient) * (x.dot(-slope_of_W * x / r)) / (r * r);
     CHECK(plain(Diffusion::Smooth{}(a, b, geometry<Diffusion::Smooth, dim>(a, b))) == Approx(expected).epsilon(1e-10));
+    const Diffusion::Smooth stronger{{.delta = 0.3}};
+    CHECK(plain(stronger(a, b, geometry<Diffusion::Smooth, dim>(a, b))) == Approx(3 * expected).epsilon(1e-10));
 }
 
 template <int dim>
@@ -107,6 +109,18 @@ TEST_CASE("AntuonoDiffusion is its equation and conserves the sum of V rho") {
 TEST_CASE("a drop of one or two particles is not corrected") {
     check_alone<2>();
     check_alone<3>();
+}
+TEST_CASE("between its two bounds a correction goes over to the identity in a straight line") {
+    // For M = m 1 in the plane 1/|M^-1| is m/sqrt(2).
+    for (const auto& [least, trust] : {std::pair{0.02, 0.0}, {0.04, 0.0}, {0.05, 0.25}, {0.07, 0.75}, {0.08, 1.0}}) {
+        const double m = least * std::sqrt(2.0);
+        const auto M = Number<double>(m) * symmetric_identity<Number<double>, 2>();
+        const auto L = plain(imbibe::detail::inverse_or_identity(M, 0.08, 0.04));
+        CAPTURE(least);
+        CHECK(L(0, 0) == Approx(trust / m + 1 - trust).epsilon(1e-10));
+        CHECK(L(1, 1) == Approx(trust / m + 1 - trust).epsilon(1e-10));
+        CHECK(L(0, 1) == 0);
+    }
 }
 TEST_CASE("CurrentCorrection and AntuonoDiffusion check their coefficients") {
     CHECK_THROWS_AS((CurrentCorrectionParameters{.full_above = 1e-3, .none_below = 2e-3}.check("Water")), Error);

@@ -193,6 +193,21 @@ TEST_CASE("ModifiedRepulsion is its equation, equal and opposite") {
     check_repulsion<3>();
 }
 
+TEST_CASE("ModifiedRepulsion reaches as far as the mean of two spacings says, at most the support radius") {
+    auto fine = soft();
+    fine.spacing = 0.4e-3; // 0.7e-3 m in the mean
+    const auto push = [&](double distance, double range) {
+        const auto a = block<2>(liquid(), 1, 0).front();
+        const auto b = block<2>(fine, 1, 0, 1, along_x<2>(distance)).front();
+        return plain(sum(ModifiedRepulsion{{.speed = 2, .range = range}}, a, Cloud<2, Sponge>{b}))[0];
+    };
+    const double share = 950 * sq(0.4e-3) / (950 * sq(0.4e-3) + 1000 * sq(1e-3)); // m_b/(m_a + m_b)
+    CHECK(push(0.701e-3, 1) == 0);
+    CHECK(push(0.35e-3, 1) == Approx(-share * 1.5 * 4 / 0.7e-3 * 0.25));
+    CHECK(push(3.01e-3, 10) == 0);
+    CHECK(push(1.5e-3, 10) == Approx(-share * 1.5 * 4 / reach * 0.25));
+}
+
 TEST_CASE("ModifiedRepulsion stops a pair below its speed, and gives back what it is told to") {
     constexpr double dt = 1e-7;
     CHECK(rebound({{.speed = 2, .range = 1, .restitution = 1}}, 1.5, dt) == Approx(1.5).epsilon(1e-3));
@@ -228,6 +243,19 @@ TEST_CASE("ModifiedRepulsion: limits on the step and on its coefficients") {
     const double range = 0.8 * alone.spacing;
     CHECK(ModifiedRepulsion::time_step_limit(liquid(), alone, {.speed = 2, .range = 0.8}) ==
           Approx(range / std::sqrt(3.0)));
+    const auto within = [&](double speed, int dimension) {
+        TimeStepInput now = alone;
+        now.max_speed = speed;
+        now.dimension = dimension;
+        return ModifiedRepulsion::time_step_limit(liquid(), now, {.speed = 2, .range = 2});
+    };
+    CHECK(within(0, 2) == Approx(1.25 / 2 * 2e-3 / std::sqrt(3.0)));
+    CHECK(within(0, 3) == Approx(std::pow(1.25 / 2, 1.5) * 2e-3 / std::sqrt(3.0)));
+    CHECK(within(5, 2) == Approx(1.25 / 2 * 2e-3 / 10)); // two that meet at their greatest speed
+    // A pair that is all the way in can come no deeper, whatever its speed.
+    near.nearest = 0;
+    near.max_speed = near.other_max_speed = 0.4;
+    CHECK(limit(near) == Approx(0.8e-3 / std::sqrt(3.0)));
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.speed = -1}.check("Contact")), Error);
     CHECK_THROWS_AS((ModifiedRepulsionParameters{.range = -1}.check("Contact")), Error);
     CHECK_THROWS_WITH((ModifiedRepulsionParameters{.restitution = 1.5}.check("Contact")),
@@ -238,6 +266,14 @@ TEST_CASE("ModifiedRepulsion: limits on the step and on its coefficients") {
 TEST_CASE("surface normals point outwards at faces and edges, vanish inside, and deform with the solid") {
     check_normals<2>();
     check_normals<3>();
+}
+
+TEST_CASE("the sum of a surface normal counts the volumes that particles have now") {
+    const auto a = block<3>(soft(), 1, 0).front();
+    auto b = block<3>(soft(), 1, 0, 1, along_x<3>(1.2e-3)).front();
+    b.set(density, 800.0);
+    const Column<3> expected = -950 * 1e-9 / 800 * wendland_gradient<3>(along_x<3>(-1.2e-3));
+    CHECK((plain(sum(SurfaceNormal<>::Sum{}, a, Cloud<3, Sponge>{b})) - expected).norm() < 1e-12 * expected.norm());
 }
 
 TEST_CASE("SurfaceNormalPressure is its equation, equal and opposite") {

@@ -1,6 +1,7 @@
 // MorrisViscosity and the no-slip wall: the Laplacian of a velocity, balance across phases, the reflected velocity.
 #include "cloud.hpp"
 
+#include <imbibe/kernels/cubic_spline.hpp>
 #include <imbibe/wall/no_slip.hpp>
 
 namespace morris_viscosity_test {
@@ -131,6 +132,23 @@ TEST_CASE("the limit of MorrisViscosity is 0.055 H^2/nu, and infinite without vi
     Water inviscid = oil();
     inviscid.viscosity = 0;
     CHECK(std::isinf(MorrisViscosity<>::time_step_limit(inviscid, in)));
+}
+
+TEST_CASE("between two fluids the limit of MorrisViscosity is that of the lighter one with the mean viscosity") {
+    const TimeStepInput in{4e-3, 1e-3, 1, 1, 3};
+    const double expected = 16e-6 / (1.3 * 14 * 0.5 * (0.03 + 0.001) / 900);
+    CHECK(MorrisViscosity<>::time_step_limit(oil(), brine(), in) == Approx(expected).epsilon(1e-4));
+    CHECK(MorrisViscosity<>::time_step_limit(brine(), oil(), in) == Approx(expected).epsilon(1e-4));
+}
+
+TEST_CASE("the limit of MorrisViscosity is that of its kernel in the dimension of the scene") {
+    // S = H^2 times the integral of |grad W|/r. For the cubic spline 2 pi N w(0) with N = 80/(7 pi) and w(0) = 1/2 in
+    // the plane, 4 pi N times the integral of w over q, 3/16, with N = 16/pi in space; WendlandC2 has 14 in both.
+    for (const auto& [dim, S] : {std::pair{2, 80.0 / 7}, std::pair{3, 12.0}}) {
+        const TimeStepInput in{4e-3, 1e-3, 1, 1, dim};
+        CHECK(MorrisViscosity<CubicSpline>::time_step_limit(oil(), in) ==
+              Approx(16e-6 / (1.3 * S * 0.03 / 900)).epsilon(1e-4));
+    }
 }
 
 } // namespace morris_viscosity_test

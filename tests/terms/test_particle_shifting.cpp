@@ -111,6 +111,19 @@ TEST_CASE("ParticleShifting brings a particle back, within its bound") {
     check_direction<2>();
     check_direction<3>();
 }
+TEST_CASE("ParticleShifting takes a particle for one of the surface by the bounds that it is given") {
+    auto a = block<2>(water_here(), 1, 0).front();
+    const auto indicator = [&](double divergence, const Term::Parameters& with = {}) {
+        a.set(position_divergence, divergence);
+        return plain(Term::Detect{with}(a));
+    };
+    CHECK(indicator(0.8) == Approx(0.5)); // the middle of the ramp from 0.75 to 0.85
+    const Term::Parameters wide{.surface_below = 0.5, .inside_above = 0.9};
+    CHECK(indicator(0.6, wide) == Approx(0.75));
+    CHECK(indicator(0.8, wide) == Approx(0.25));
+    CHECK(indicator(0.4, wide) == 1);
+    CHECK(indicator(0.95, wide) == 0);
+}
 TEST_CASE("ParticleShifting checks its coefficients") {
     CHECK_THROWS_AS(ParticleShiftingParameters{.strength = -1}.check("Water"), Error);
     CHECK_THROWS_AS((ParticleShiftingParameters{.surface_below = 0.9, .inside_above = 0.8}.check("Water")), Error);

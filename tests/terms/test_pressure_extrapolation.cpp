@@ -24,6 +24,7 @@ struct Tank {
     Cloud<dim, Water> water = block<dim>(water_here(), 4, 0.2, 1);
     Cloud<dim, Bed> wall;
     Column<dim> g = Column<dim>::Constant(0.3);
+    double rho = 1020; // water that is compressed weighs more than at rest
 
     explicit Tank(double surface_pressure) {
         g[dim - 1] = -9.81;
@@ -36,11 +37,11 @@ struct Tank {
                 wall.insert(wall.end(), more.begin(), more.end());
             }
         for (auto& p : water)
-            p.set(density, 1000.0).set(pressure, at(p, surface_pressure));
+            p.set(density, rho).set(pressure, at(p, surface_pressure));
     }
     template <class P>
     double at(const P& p, double surface_pressure) const {
-        return surface_pressure + 1000 * g.dot(plain(p[position]));
+        return surface_pressure + rho * g.dot(plain(p[position]));
     }
     template <class P>
     double pressure_of(P& a, const Term::Parameters& parameters = {}) const {

@@ -228,6 +228,23 @@ void check_reaction() {
         p.set(wall_direction, dice.vector<dim>(1));
     CHECK(worst_imbalance(RiemannWallPressure<K>::Push{}, fluid, solid) < 1e-14);
     CHECK(worst_imbalance(RiemannPressure<K>::Push{}, fluid, moving<dim>(oil(), 3, 8, 8, 4e-4)) < 1e-14);
+    // under gravity, which raises the pressure at what lies deeper, seen from either side
+    Column<dim> g = Column<dim>::Constant(2e4);
+    g[dim - 1] = -9e4;
+    const RiemannWallPressure<K>::Push push{};
+    const auto& f = fluid.front();
+    const auto& s = solid.front();
+    const auto there = geometry<RiemannWallPressure<K>::Push, dim>(f, s, g);
+    const auto back = geometry<RiemannWallPressure<K>::Push, dim>(s, f, g);
+    const Column<dim> on_fluid = plain(f[mass] * contribution(there, push(f, s, there)));
+    const Column<dim> on_solid = plain(s[mass] * contribution(back, push(s, f, back)));
+    CHECK((on_fluid + on_solid).norm() < 1e-14 * on_fluid.norm());
+    CHECK((on_fluid - given(push, f, s)).norm() > 1e-3 * on_fluid.norm()); // it does make a difference
+    // the direction of the wall counts volumes as they are now
+    const Column<dim> into = plain(sum(RiemannWallNormal<K>{}, f, solid));
+    for (auto& p : solid)
+        p.set(density, 2.0 * p[density]);
+    CHECK((plain(sum(RiemannWallNormal<K>{}, f, solid)) - 0.5 * into).norm() < 1e-14 * into.norm());
 }
 
 } // namespace
@@ -269,6 +286,13 @@ TEST_CASE("the limits of the Riemann scheme, longer where nothing is fast") {
     CHECK(RiemannPressure<K>::time_step_limit(brine(), in, {.eta = 100}) == Approx(0.48 * 3e-3 / 30));
     CHECK(RiemannWallPressure<K>::time_step_limit(brine(), bed(), in, {}) == Approx(2e-3 / 6));
     CHECK(std::isinf(RiemannPressure<K>::time_step_limit(brine(), in, {.eta = 0})));
+    // between two, the faster sound and both speeds count
+    Water stiff = oil();
+    stiff.sound_speed = 60;
+    CHECK(RiemannContinuity<K>::time_step_limit(brine(), stiff, in) == Approx(0.255 * 3e-3 / 60));
+    CHECK(RiemannContinuity<K>::time_step_limit(stiff, brine(), in) == Approx(0.255 * 3e-3 / 60));
+    const TimeStepInput both{3e-3, 1e-3, 1, 1, 3, 1e-3, 0.5};
+    CHECK(RiemannWallPressure<K>::time_step_limit(brine(), bed(), both, {}) == Approx(2e-3 / 9));
     CHECK_THROWS_AS(RiemannPressureParameters{.eta = -1}.check("Water"), Error);
     CHECK_THROWS_AS(RiemannWallPressureParameters{.eta = -1}.check("Sides"), Error);
 }

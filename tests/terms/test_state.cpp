@@ -33,6 +33,9 @@ TEST_CASE("Tait is the paper's Eq. (8)") {
     }
     CHECK(pressure_at<Tait<>>(1000) == 0);
     CHECK(pressure_at<LinearState>(1000) == 0);
+    Particle<3, Number<double>, Sponge> a(sponge()); // of 950 kg/m^3
+    a.set(density, 960.0);
+    CHECK(plain(LinearState{}(a)) == Approx(31.6 * 31.6 * 10));
 }
 
 TEST_CASE("What no force moves shows the other's speed of sound, what moves its own") {

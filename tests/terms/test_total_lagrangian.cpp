@@ -386,6 +386,20 @@ TEST_CASE("the laws are derivatives of their energies") {
     check_law_is_derivative_of_energy<3, NeoHookean>();
 }
 
+TEST_CASE("the true stress of a sheared and turned solid is P F^T/J") {
+    auto p = block<3>(foam(), 1, 0).front();
+    Matrix<3> F = Matrix<3>::Identity();
+    F(0, 1) = 0.4;
+    F(1, 0) = -0.1;
+    F(2, 2) = 1.2;
+    p.set(deformation_gradient, tensor<3>(F));
+    const Matrix<3> P = plain(NeoHookean{}(p));
+    p.set(first_piola_stress, tensor<3>(P));
+    const Matrix<3> expected = P * F.transpose() / F.determinant();
+    CHECK((plain(CauchyStress{}(p)) - expected).norm() < 1e-12 * expected.norm());
+    CHECK((expected - expected.transpose()).norm() < 1e-12 * expected.norm());
+}
+
 TEST_CASE("StVenantKirchhoff under uniaxial stretch, in closed form, and its true stress") {
     auto body = block<3>(foam(), 1, 0);
     auto& p = body.front();
@@ -475,6 +489,23 @@ TEST_CASE("ReferenceCorrection: full at corners and struts, gives way for sheets
 TEST_CASE("HourglassControl is nothing for affine motions and keeps the momenta") {
     check_hourglass<2>();
     check_hourglass<3>();
+}
+
+TEST_CASE("HourglassControl is its equation, pair by pair") {
+    auto a = block<3>(foam(), 1, 0).front(), b = block<3>(foam(), 1, 0, 1, Column<3>(1e-3, 0, 0)).front();
+    const Column<3> X(-1e-3, 0, 0), x(-1.3e-3, 0.4e-3, 0);
+    Matrix<3> F_a = Matrix<3>::Identity(), F_b = F_a;
+    F_a(0, 0) = 1.1;
+    F_b(0, 1) = 0.2;
+    F_b(1, 0) = -0.3;
+    a.set(displacement, vec<3>(x - X)).set(deformation_gradient, tensor<3>(F_a));
+    b.set(displacement, Vector<Number<double>, 3>::zero()).set(deformation_gradient, tensor<3>(F_b));
+    const double K = 950 * 100, G = 2.7e4, E = 9 * K * G / (3 * K + G), V = 1e-9, q = 1 / 2.6;
+    const double W = 21 / (2 * pi * std::pow(2.6e-3, 3)) * std::pow(1 - q, 4) * (1 + 4 * q);
+    const Column<3> error = x - 0.5 * (F_a + F_b) * X, n = x.normalized();
+    const Column<3> expected = -0.2 * E * V * V * W / X.squaredNorm() * error.dot(n) * n;
+    const HourglassControl<>::Push push{{.alpha = 0.2}};
+    CHECK((given(push, a, b) - expected).norm() < 1e-11 * expected.norm());
 }
 
 TEST_CASE("HourglassControl resists what alternates from particle to particle") {

@@ -216,6 +216,8 @@ TEST_CASE("what is light beside a stiff fluid limits the step, on either side of
     const double at_body = 0.6 * 2.6e-3 / (std::sqrt(2 * 0.18 * 1000 * 30 * 30 / body.density) + 0.5);
     CHECK(VolumePressure<>::time_step_limit(heavy(), body, in) == Approx(at_body).epsilon(1e-12));
     CHECK(VolumePressure<>::time_step_limit(body, heavy(), in) == Approx(at_body).epsilon(1e-12));
+    const TimeStepInput other_is_faster{2.6e-3, 1e-3, 0.25, 0, 3, 8e-4, 0.5};
+    CHECK(VolumePressure<>::time_step_limit(heavy(), body, other_is_faster) == Approx(at_body).epsilon(1e-12));
     CHECK(std::isinf(VolumePressure<>::time_step_limit(heavy(), Wall<>{.density = 1000}, in)));
     CHECK(acoustic_time_step(heavy(), in) < at_body); // a heavy body is none of its business
 }
