@@ -115,6 +115,66 @@ TEST_CASE("Fields that are set after a look at the scene count in the first step
     check_late_fields<sph::PredictorCorrector>();
 }
 
+template <int dim>
+void check_feeder(const sph::Settings<dim>& with) {
+    using Vector = sph::Point<dim>;
+    const double spacing = 0.1, side = 0.3, g = 10, H = 0.2;
+    const Rubber rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}};
+    sph::Settings<dim> settings = with;
+    settings.support_radius = H;
+    settings.gravity[1] = -g;
+    settings.time_step = 1e-3;
+    sph::Solver<dim, double, sph::SymplecticEuler, Rubber> scene(settings);
+    const Vector origin = Eigen::Map<const Vector>(settings.origin.data());
+    const auto body = [&](const Vector& from) {
+        return sph::fill(sph::Box<dim>(from, from + Vector::Constant(side)), spacing);
+    };
+    const auto rubbers = scene.add(rubber, body(origin), spacing);
+    const int n = scene[rubbers].size();
+
+    // Before anything has moved a second call makes the body longer.
+    CHECK_NOTHROW(scene.add(rubber, body(origin + side * Vector::Unit(1)), spacing));
+    scene.run_until(0.5); // by 1.25 m
+    const std::string apart = imbibe::text(n, " of the phase is free of stress");
+    for (const double up : {0.0, 0.013, -H - 0.05 + 0.01})
+        CHECK_THROWS_WITH(scene.add(rubber, body(origin + up * Vector::Unit(1)), spacing),
+                          imbibe_test::contains("one body that is torn apart") &&
+                              imbibe_test::contains("at least the support radius of 0.2 m"));
+    REQUIRE(scene[rubbers].size() == 2 * n);
+
+    // Where none was it falls by itself; and shifted as a whole it is not strained.
+    const Vector far = origin + 2 * side * Vector::Unit(1) + (H + 0.01) * Vector::Unit(1);
+    CHECK_NOTHROW(scene.add(rubber, body(far), spacing));
+    auto view = scene[rubbers];
+    view[sph::position].bottomRows(n).rowwise() += (origin - far).transpose();
+    scene.run_until(0.8);
+    double lowest = 1e9, highest = -1e9;
+    for (int i = 0; i < 3 * n; ++i)
+        if (scene[rubbers].ids()[static_cast<std::size_t>(i)] >= static_cast<unsigned>(2 * n)) {
+            lowest = std::min(lowest, scene[rubbers][sph::velocity](i, 1));
+            highest = std::max(highest, scene[rubbers][sph::velocity](i, 1));
+        }
+    CHECK(lowest == Approx(-3).epsilon(1e-6));
+    CHECK(highest == Approx(-3).epsilon(1e-6));
+}
+TEST_CASE("A body is not added where another of its total-Lagrangian phase was when it was free of stress", "[hosts]") {
+    check_feeder<2>({.threads = 1});
+    check_feeder<2>({.origin = {3, -4}, .threads = 1});
+    check_feeder<3>({.threads = 1});
+}
+
+TEST_CASE("Nor is it across a periodic side, or where a body has been shifted before the first step", "[hosts]") {
+    const double spacing = 0.1;
+    const Rubber rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}};
+    sph::Solver<2, double, sph::SymplecticEuler, Rubber> scene({.support_radius = 0.2, .periodic_length = {2, 2}});
+    const auto body = scene.add(rubber, sph::fill(sph::Box<2>({0, 0}, {0.3, 0.3}), spacing), spacing);
+    const auto beside = sph::fill(sph::Box<2>({1.7, 1.7}, {2, 2}), spacing);
+    scene[body][sph::position].col(0).array() += 0.02; // a tenth of 0.14 m is less
+    CHECK_THROWS_WITH(scene.add(rubber, beside, spacing), imbibe_test::contains("torn apart"));
+    scene[body][sph::position].col(0).array() -= 0.015;
+    CHECK_NOTHROW(scene.add(rubber, beside, spacing));
+}
+
 TEST_CASE("What an observer adds to a run is prepared as what a host adds between steps", "[hosts]") {
     const auto run = [](auto by_observer) {
         const double spacing = 0.1;
