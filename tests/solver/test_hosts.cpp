@@ -8,6 +8,7 @@
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
@@ -40,6 +41,8 @@ struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumeP
 struct Tank : sph::Wall<> {};
 struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
                            sph::TotalLagrangianForce<K>> {};
+struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+                          sph::TotalLagrangianForce<K>, sph::Clamped> {};
 template <class Liquid>
 struct Sides : sph::Coupling<Liquid, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                              sph::Into<Liquid, sph::VolumeContinuity<K>>> {};
@@ -173,6 +176,34 @@ TEST_CASE("Nor is it across a periodic side, or where a body has been shifted be
     CHECK_THROWS_WITH(scene.add(rubber, beside, spacing), imbibe_test::contains("torn apart"));
     scene[body][sph::position].col(0).array() -= 0.015;
     CHECK_NOTHROW(scene.add(rubber, beside, spacing));
+}
+
+TEST_CASE("What holds particles bears minus the sum of their masses times their accelerations", "[hosts]") {
+    const double spacing = 0.1, dt = 1e-4, g = 10;
+    sph::Solver<2, double, sph::SymplecticEuler, Strap> scene(
+        {.gravity = {0, -g}, .support_radius = 0.2, .time_step = dt, .threads = 1});
+    const auto strap = scene.add(Strap{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}},
+                                 sph::fill(sph::Box<2>({0, 0}, {0.3, 1}), spacing), spacing);
+    scene.hold(strap, [](const auto& x) { return x[1] < 0.2 || x[1] > 0.8; });
+    const auto view = scene[strap];
+    const double weight = view[sph::mass].sum() * g;
+    double before = 0, pull = 0;
+    for (int k = 0; k < 100; ++k) {
+        for (int i = 0; i < view.size(); ++i) // the upper grip is moved, which pulls
+            if (view[sph::mobility](i) == 0 && view[sph::reference_position](i, 1) > 0.5)
+                view[sph::position](i, 1) += 0.1 * dt;
+        scene.step();
+        double momentum = 0, held = 0;
+        for (int i = 0; i < view.size(); ++i)
+            if (view[sph::mobility](i) == 0)
+                held -= view[sph::mass](i) * view[sph::acceleration](i, 1);
+            else
+                momentum += view[sph::mass](i) * view[sph::velocity](i, 1);
+        REQUIRE(momentum - before == Approx(dt * (held - weight)).margin(1e-12 * weight));
+        before = momentum;
+        pull = std::max(pull, std::abs(held / weight - 1));
+    }
+    CHECK(pull > 0.1);
 }
 
 TEST_CASE("What an observer adds to a run is prepared as what a host adds between steps", "[hosts]") {
