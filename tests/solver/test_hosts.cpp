@@ -43,6 +43,8 @@ struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient
                            sph::TotalLagrangianForce<K>> {};
 struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
                           sph::TotalLagrangianForce<K>, sph::Clamped> {};
+/// Water that remembers where it came in, and has no neighbours by that.
+struct Marked : sph::Fluid<sph::Displacement> {};
 template <class Liquid>
 struct Sides : sph::Coupling<Liquid, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                              sph::Into<Liquid, sph::VolumeContinuity<K>>> {};
@@ -176,6 +178,17 @@ TEST_CASE("Nor is it across a periodic side, or where a body has been shifted be
     CHECK_THROWS_WITH(scene.add(rubber, beside, spacing), imbibe_test::contains("torn apart"));
     scene[body][sph::position].col(0).array() -= 0.015;
     CHECK_NOTHROW(scene.add(rubber, beside, spacing));
+}
+
+TEST_CASE("Water that only remembers where it came in may come in there again", "[hosts]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Marked> scene({.support_radius = 2 * dx, .time_step = 0.01});
+    const Marked marked{{.density = 1000, .sound_speed = 10}};
+    for (int k = 0; k < 3; ++k) {
+        CHECK_NOTHROW(scene.add(marked, {{0, 0}}, dx));
+        scene.get<Marked>()[sph::velocity].col(0).setConstant(10);
+        scene.step();
+    }
+    CHECK(scene.get<Marked>()[sph::displacement].col(0).maxCoeff() > 0.1);
 }
 
 TEST_CASE("What holds particles bears minus the sum of their masses times their accelerations", "[hosts]") {

@@ -526,7 +526,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
     const std::vector<Point> places = stored_places(points);
     detail::require_distinct_places<dim>(
         places, s.size(), [&](int i) { return place_of(s, i); }, spacing, engine_.periodic, name);
-    if constexpr (State<P>::keeps_reference)
+    if constexpr (detail::contains<detail::Link<P, P, true>, typename Engine::Links>)
         detail::require_unstrained_neighbours<dim>(
             places, s.size(), [&](int i) { return place_of(s, i, reference_position); },
             [&](int i) { return place_of(s, i); }, support, engine_.periodic,
