@@ -70,6 +70,9 @@ struct Tailwind {
     constexpr auto operator()(const auto& a) const { return 2.0 * a[sph::velocity]; }
 };
 struct Leaf : sph::Fluid<Tailwind> {};
+struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+                          sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped> {};
+struct Gale : sph::Solid<Tailwind, sph::Clamped> {};
 
 } // namespace
 
@@ -284,6 +287,34 @@ TEST_CASE("A guard takes what a turning gravity does for no energy from nowhere,
     CHECK(error.cause == sph::Cause::energy);
     CHECK(error.time > 0.2);
     CHECK_THAT(error.what(), contains("GuardSettings::energy is to be infinite"));
+}
+
+TEST_CASE("A guard takes what grips do that the program moves for no energy from nowhere", "[guard]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Strap> scene({.support_radius = 2 * dx});
+    const auto strap = scene.add(Strap{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}},
+                                 sph::fill(sph::Box<2>({0, 0}, {0.5, 0.2}), dx), dx);
+    scene.hold(strap, [](const auto& x) { return x[0] > 0.4; });
+    sph::Guard<2> guard({.interval = 1});
+    const double speed = 0.5;
+    while (scene.time() < 0.1) {
+        auto view = scene[strap];
+        const double dt = scene.next_step().seconds;
+        for (int i = 0; i < view.size(); ++i)
+            if (view[sph::mobility](i) == 0) {
+                view[sph::velocity](i, 0) = speed;
+                view[sph::position](i, 0) += speed * dt;
+            }
+        scene.step(dt);
+        REQUIRE_NOTHROW(guard(scene));
+    }
+    CHECK(sph::kinetic_energy(scene[strap]) > 5); // the strap comes along
+
+    // What is held and stays is no excuse.
+    sph::Solver<2, double, sph::SymplecticEuler, Gale> leaves({.support_radius = 0.1, .time_step = 0.01});
+    const auto leaf = leaves.add(Gale{{.density = 1, .sound_speed = 100, .shear_modulus = 1}}, {{0, 0}, {1, 0}}, 0.05);
+    leaves[leaf][sph::velocity].col(0).setConstant(1);
+    leaves.hold(leaf, [](const auto& x) { return x[0] > 0.5; });
+    CHECK(thrown_by([&] { leaves.run_until(1, sph::Guard<2>({.interval = 1})); }).cause == sph::Cause::energy);
 }
 
 TEST_CASE("The domain of a guard is that of what moves: walls reach out of it", "[guard]") {

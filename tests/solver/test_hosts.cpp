@@ -9,6 +9,7 @@
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
@@ -41,6 +42,10 @@ struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumeP
 struct Tank : sph::Wall<> {};
 struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
                            sph::TotalLagrangianForce<K>> {};
+struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+                          sph::TotalLagrangianForce<K>, sph::Clamped> {};
+/// Water that remembers where it came in, and has no neighbours by that.
+struct Marked : sph::Fluid<sph::Displacement> {};
 template <class Liquid>
 struct Sides : sph::Coupling<Liquid, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                              sph::Into<Liquid, sph::VolumeContinuity<K>>> {};
@@ -114,6 +119,105 @@ TEST_CASE("Fields that are set after a look at the scene count in the first step
     check_late_fields<sph::SymplecticEuler>();
     check_late_fields<sph::Leapfrog>();
     check_late_fields<sph::PredictorCorrector>();
+}
+
+template <int dim>
+void check_feeder(const sph::Settings<dim>& with) {
+    using Vector = sph::Point<dim>;
+    const double spacing = 0.1, side = 0.3, g = 10, H = 0.2;
+    const Rubber rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}};
+    sph::Settings<dim> settings = with;
+    settings.support_radius = H;
+    settings.gravity[1] = -g;
+    settings.time_step = 1e-3;
+    sph::Solver<dim, double, sph::SymplecticEuler, Rubber> scene(settings);
+    const Vector origin = Eigen::Map<const Vector>(settings.origin.data());
+    const auto body = [&](const Vector& from) {
+        return sph::fill(sph::Box<dim>(from, from + Vector::Constant(side)), spacing);
+    };
+    const auto rubbers = scene.add(rubber, body(origin), spacing);
+    const int n = scene[rubbers].size();
+
+    // Before anything has moved a second call makes the body longer.
+    CHECK_NOTHROW(scene.add(rubber, body(origin + side * Vector::Unit(1)), spacing));
+    scene.run_until(0.5); // by 1.25 m
+    const std::string apart = imbibe::text(n, " of the phase is free of stress");
+    for (const double up : {0.0, 0.013, -H - 0.05 + 0.01})
+        CHECK_THROWS_WITH(scene.add(rubber, body(origin + up * Vector::Unit(1)), spacing),
+                          imbibe_test::contains("one body that is torn apart") &&
+                              imbibe_test::contains("at least the support radius of 0.2 m"));
+    REQUIRE(scene[rubbers].size() == 2 * n);
+
+    // Where none was it falls by itself; and shifted as a whole it is not strained.
+    const Vector far = origin + 2 * side * Vector::Unit(1) + (H + 0.01) * Vector::Unit(1);
+    CHECK_NOTHROW(scene.add(rubber, body(far), spacing));
+    auto view = scene[rubbers];
+    view[sph::position].bottomRows(n).rowwise() += (origin - far).transpose();
+    scene.run_until(0.8);
+    double lowest = 1e9, highest = -1e9;
+    for (int i = 0; i < 3 * n; ++i)
+        if (scene[rubbers].ids()[static_cast<std::size_t>(i)] >= static_cast<unsigned>(2 * n)) {
+            lowest = std::min(lowest, scene[rubbers][sph::velocity](i, 1));
+            highest = std::max(highest, scene[rubbers][sph::velocity](i, 1));
+        }
+    CHECK(lowest == Approx(-3).epsilon(1e-6));
+    CHECK(highest == Approx(-3).epsilon(1e-6));
+}
+TEST_CASE("A body is not added where another of its total-Lagrangian phase was when it was free of stress", "[hosts]") {
+    check_feeder<2>({.threads = 1});
+    check_feeder<2>({.origin = {3, -4}, .threads = 1});
+    check_feeder<3>({.threads = 1});
+}
+
+TEST_CASE("Nor is it across a periodic side, or where a body has been shifted before the first step", "[hosts]") {
+    const double spacing = 0.1;
+    const Rubber rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}};
+    sph::Solver<2, double, sph::SymplecticEuler, Rubber> scene({.support_radius = 0.2, .periodic_length = {2, 2}});
+    const auto body = scene.add(rubber, sph::fill(sph::Box<2>({0, 0}, {0.3, 0.3}), spacing), spacing);
+    const auto beside = sph::fill(sph::Box<2>({1.7, 1.7}, {2, 2}), spacing);
+    scene[body][sph::position].col(0).array() += 0.02; // a tenth of 0.14 m is less
+    CHECK_THROWS_WITH(scene.add(rubber, beside, spacing), imbibe_test::contains("torn apart"));
+    scene[body][sph::position].col(0).array() -= 0.015;
+    CHECK_NOTHROW(scene.add(rubber, beside, spacing));
+}
+
+TEST_CASE("Water that only remembers where it came in may come in there again", "[hosts]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Marked> scene({.support_radius = 2 * dx, .time_step = 0.01});
+    const Marked marked{{.density = 1000, .sound_speed = 10}};
+    for (int k = 0; k < 3; ++k) {
+        CHECK_NOTHROW(scene.add(marked, {{0, 0}}, dx));
+        scene.get<Marked>()[sph::velocity].col(0).setConstant(10);
+        scene.step();
+    }
+    CHECK(scene.get<Marked>()[sph::displacement].col(0).maxCoeff() > 0.1);
+}
+
+TEST_CASE("What holds particles bears minus the sum of their masses times their accelerations", "[hosts]") {
+    const double spacing = 0.1, dt = 1e-4, g = 10;
+    sph::Solver<2, double, sph::SymplecticEuler, Strap> scene(
+        {.gravity = {0, -g}, .support_radius = 0.2, .time_step = dt, .threads = 1});
+    const auto strap = scene.add(Strap{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}},
+                                 sph::fill(sph::Box<2>({0, 0}, {0.3, 1}), spacing), spacing);
+    scene.hold(strap, [](const auto& x) { return x[1] < 0.2 || x[1] > 0.8; });
+    const auto view = scene[strap];
+    const double weight = view[sph::mass].sum() * g;
+    double before = 0, pull = 0;
+    for (int k = 0; k < 100; ++k) {
+        for (int i = 0; i < view.size(); ++i) // the upper grip is moved, which pulls
+            if (view[sph::mobility](i) == 0 && view[sph::reference_position](i, 1) > 0.5)
+                view[sph::position](i, 1) += 0.1 * dt;
+        scene.step();
+        double momentum = 0, held = 0;
+        for (int i = 0; i < view.size(); ++i)
+            if (view[sph::mobility](i) == 0)
+                held -= view[sph::mass](i) * view[sph::acceleration](i, 1);
+            else
+                momentum += view[sph::mass](i) * view[sph::velocity](i, 1);
+        REQUIRE(momentum - before == Approx(dt * (held - weight)).margin(1e-12 * weight));
+        before = momentum;
+        pull = std::max(pull, std::abs(held / weight - 1));
+    }
+    CHECK(pull > 0.1);
 }
 
 TEST_CASE("What an observer adds to a run is prepared as what a host adds between steps", "[hosts]") {

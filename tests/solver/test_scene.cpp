@@ -507,6 +507,15 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
         CHECK(sentence.find("Poisson's ratio 0.5") != std::string::npos);
         jelly.shear_modulus = 1e5;
         CHECK(jelly.warning("Jelly").empty());
+        for (const double E : {1e6, 3e6, 2.1e11}) { // cork: nu = 0, rounded
+            jelly.shear_modulus = sph::shear_modulus_of(E, 0);
+            jelly.sound_speed = sph::sound_speed_of(E, 0, jelly.density);
+            CHECK(jelly.warning("Jelly").empty());
+            jelly.shear_modulus = sph::shear_modulus_of(E, -0.01);
+            jelly.sound_speed = sph::sound_speed_of(E, -0.01, jelly.density);
+            CHECK(jelly.warning("Jelly").find("auxetic") != std::string::npos);
+        }
+        jelly.sound_speed = 31.6, jelly.shear_modulus = 1e5;
         CHECK(jelly.poisson_ratio() == Approx((3 * 950 * 31.6 * 31.6 - 2e5) / (6 * 950 * 31.6 * 31.6 + 2e5)));
         using Scene = sph::Solver<3, double, sph::SymplecticEuler, Jelly>;
         jelly.shear_modulus = 2e-6;

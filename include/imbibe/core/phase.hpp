@@ -193,7 +193,7 @@ struct Solid {
         if (nu > 0.4999)
             return text(name, ": shear modulus ", shear_modulus, " Pa with bulk modulus ", bulk_modulus(),
                         " Pa is Poisson's ratio ", nu, ", practically a liquid; is the exponent right?");
-        if (nu < 0)
+        if (nu < -1e-9) // moduli of nu = 0 are rounded
             return text(name, ": shear modulus ", shear_modulus, " Pa with bulk modulus ", bulk_modulus(),
                         " Pa is Poisson's ratio ", nu, ", an auxetic solid");
         return {};

@@ -235,6 +235,9 @@ private:
             if constexpr (P::moves) {
                 now.kinetic += kinetic_energy(phase);
                 now.potential += potential_energy(phase, scene.settings().gravity);
+                if constexpr (std::remove_cvref_t<decltype(s)>::template stores<Mobility>)
+                    for (int i = 0; i < s.size() && !driven; ++i) // what is held and moves, the program moves
+                        driven = phase[mobility](i) == 0 && !phase[velocity].row(i).isZero(0);
             } else if constexpr (std::remove_cvref_t<decltype(s)>::template stores<Velocity>) {
                 driven = driven || (s.size() > 0 && phase[velocity].cwiseAbs().maxCoeff() > 0);
             }

@@ -64,8 +64,9 @@ struct GuardSettings {
     /// spacing), and beside what stress and pressure have released since the guard's first look (`stored_energy`) and
     /// what rounding of positions may have put in.
     /// Infinite: not looked at, as for scenes that the program drives by velocities that it sets, or whose solids are
-    /// added under stress. Not looked at either while a wall moves or gravity changes, nor where gravity has a component
-    /// along a periodic side: it drives the flow round and round, and there is no potential energy.
+    /// added under stress. Not looked at either while a wall moves, or particles that are held (`Solver::hold`), or
+    /// gravity changes, nor where gravity has a component along a periodic side: it drives the flow round and round,
+    /// and there is no potential energy.
     double energy = 0.2;
     /// The fewest particles of a fluid that are to fit across the pores of a solid or wall that it is coupled to, as
     /// they lie now: below 2 no more than single ones pass, whatever the physics says. 0: not looked at, as where pores

@@ -22,7 +22,8 @@ inline constexpr CorrectedPiolaStress corrected_piola_stress{};
 /// tension, whatever the stretch, because the kernel never sees it.
 ///
 /// Not without HourglassControl where the solid bends or is hit: motions that alternate from particle to particle
-/// leave F as it is and are not resisted. Not for solids that flow or break.
+/// leave F as it is and are not resisted. Not for solids that flow or break. Bodies of the phase that meet do not feel it:
+/// that is another term's (solid/total_lagrangian.hpp).
 ///
 /// Source: Bonet and Kulasegaram (2002); Vignjevic, Reveles and Campbell (2006); Ganzenmueller (2015).
 template <class Kernel = WendlandC2>

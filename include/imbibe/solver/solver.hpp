@@ -3,6 +3,7 @@
 
 #include <imbibe/solver/distinct_places.hpp>
 #include <imbibe/solver/engine.hpp>
+#include <imbibe/solver/joined_bodies.hpp>
 #include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/settings.hpp>
 #include <imbibe/solver/time_step_limits.hpp>
@@ -76,8 +77,14 @@ public:
     /// May be called again for the same phase: the material given first is that of the phase (change it by
     /// `scene[phase].material()`), so density and spacing must be the same.
     /// @return what names the phase in `scene[...]`
-    /// @throws Error for a material or spacing out of range, a coordinate that is not finite, and a point nearer than
-    /// 1e-3 spacings to another or to a particle of the phase; the scene is then as it was
+    ///
+    /// Particles of a total-Lagrangian phase are neighbours for good of those that they are added within a support
+    /// radius of: two calls, or two bodies in one, so near to each other make one body. A body that is added to a run
+    /// comes where none of the phase was put (its positions may be shifted afterwards, all by the same).
+    /// @throws Error for a material or spacing out of range, a coordinate that is not finite, a point nearer than
+    /// 1e-3 spacings to another or to a particle of the phase, and in a total-Lagrangian phase a point within the
+    /// support radius of where a particle was added that has left by more than a tenth of the distance; the scene is
+    /// then as it was
     template <class P>
     PhaseHandle<P> add(const P& material, const std::vector<Point>& points, double spacing);
     /// Holds the particles of a phase whose position fulfils `held`: they stop and stay. The phase must list the term
@@ -424,11 +431,11 @@ private:
     }
 
     // A particle's place as it is stored, and in the coordinates of the world.
-    template <class S>
-    static Point place_of(const S& s, int i) {
+    template <class S, class F = Position>
+    static Point place_of(const S& s, int i, F = {}) {
         Point x;
         for (int d = 0; d < dim; ++d)
-            x[d] = static_cast<double>(s.column(S::template offset<Position> + d)[i]);
+            x[d] = static_cast<double>(s.column(S::template offset<F> + d)[i]);
         return x;
     }
     template <class S>
@@ -521,6 +528,11 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
     const std::vector<Point> places = stored_places(points);
     detail::require_distinct_places<dim>(
         places, s.size(), [&](int i) { return place_of(s, i); }, spacing, engine_.periodic, name);
+    if constexpr (detail::contains<detail::Link<P, P, true>, typename Engine::Links>)
+        detail::require_unstrained_neighbours<dim>(
+            places, s.size(), [&](int i) { return place_of(s, i, reference_position); },
+            [&](int i) { return place_of(s, i); }, support, engine_.periodic,
+            Eigen::Map<const Point>(settings_.origin.data()), name);
     if (s.size() == 0) {
         s.material = material;
         s.material.spacing = spacing;
