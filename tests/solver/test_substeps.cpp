@@ -58,6 +58,22 @@ TEST_CASE("A subcycled phase keeps what couplings add to its rates and sums", "[
     CHECK(density_beside_another<sph::Subcycled<Oil>>() == Approx(900).epsilon(1e-3));
 }
 
+TEST_CASE("A repulsion within a solid does not reach the neighbours in the body", "[substeps]") {
+    const auto start_with = [](double stiffness, double range) {
+        sph::Solver<2, double, sph::SymplecticEuler, Rubber> scene({.support_radius = 0.2, .threads = 1});
+        Rubber rubber{{.density = 1000, .sound_speed = 10, .shear_modulus = 3e4}};
+        rubber.set(sph::KernelRepulsionParameters{.stiffness = stiffness, .range = range});
+        scene.add(rubber, sph::fill(sph::Box<2>({0, 0}, {1, 0.5}), 0.1), 0.1);
+        scene.prepare();
+    };
+    CHECK_THROWS_WITH(start_with(1e3, 0),
+                      imbibe_test::contains("Rubber: KernelRepulsionParameters::range = 0 spacings, "
+                                            "the whole support, pushes the neighbours in a body"));
+    CHECK_THROWS_WITH(start_with(1e3, 1.1), imbibe_test::contains("range = 1.1 spacings pushes"));
+    CHECK_NOTHROW(start_with(1e3, 1));
+    CHECK_NOTHROW(start_with(0, 0));
+}
+
 TEST_CASE("A subcycled solid that meets itself sees itself where it is", "[substeps]") {
     sph::Solver<2, double, sph::Subcycled<Rubber>, Rubber> scene({.support_radius = 0.2, .threads = 1});
     Rubber rubber{{.density = 1000, .sound_speed = 10, .shear_modulus = 3e4}};

@@ -69,6 +69,18 @@ struct KernelRepulsion {
         return along(ab, -(parameters.stiffness * b[mass] / (a[density] * b[density])) * pair.gradient(Kernel{}));
     }
 
+    /// Throws Error for a range within a solid that reaches the neighbours which a particle has in the body itself:
+    /// they would be pushed apart for good. @param owner a phase or coupling, @param where its name in the message
+    static void check(const auto& owner, std::string_view where) {
+        if constexpr (requires { owner.shear_modulus; }) {
+            const Parameters& set = owner.coefficients.template get<Parameters>();
+            require(set.stiffness == 0 || (set.range > 0 && set.range <= 1), where,
+                    ": KernelRepulsionParameters::range = ", set.range, " spacings",
+                    set.range == 0 ? ", the whole support," : "",
+                    " pushes the neighbours in a body apart; within a solid it must be above 0 and at most 1, 0.9 say");
+        }
+    }
+
     static constexpr const char* limit_name = "repulsion stiffness";
     /// Within one phase: sqrt(m/k) min(1, (1.25/r)^(dim/2)), s, with the mass m of a particle, the greatest stiffness k
     /// that a pair has at any distance, which is 90 K_f V^2/(pi H^5) for Spiky in 3D, and the reach r in spacings.
