@@ -248,7 +248,7 @@ inline constexpr bool acts_on = std::is_void_v<typename Listed<T>::On> || std::i
 // Has a phase or coupling with these terms one of the effect that acts on phase P?
 template <class P, class Effect, class... T>
 constexpr bool has_effect_on(TypeList<T...>) {
-    const auto has = []<class Term>(std::type_identity<Term>) {
+    [[maybe_unused]] const auto has = []<class Term>(std::type_identity<Term>) {
         return requires {
             requires std::is_same_v<typename Term::effect, Effect>;
         };

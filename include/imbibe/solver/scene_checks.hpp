@@ -151,7 +151,7 @@ std::string warning_of_no_coupling(const Engine& engine) {
 /// Has a coupling with these terms a repulsion? Its limit asks for the nearest pair.
 template <class... T>
 constexpr bool has_repulsion(TypeList<T...>) {
-    const auto is_one = []<class Term>(std::type_identity<Term>) {
+    [[maybe_unused]] const auto is_one = []<class Term>(std::type_identity<Term>) {
         return requires {
             requires Term::limit_by_nearest;
         };
