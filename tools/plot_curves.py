@@ -99,7 +99,8 @@ def main():
         axes.grid(True)
         axes.margins(x=0.01)
         if len(names) > 1 or (len(tables) > 1 and axes is all_axes[0, 0]):
-            axes.legend(fontsize=9)
+            many = len(axes.lines) > 6  # then there is no room for it among the curves
+            axes.legend(fontsize=9, **(dict(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=2) if many else {}))
     all_axes[-1, 0].set_xlabel(f"{arguments.x} [{x_unit}]" if x_unit else arguments.x)
     if arguments.title:
         figure.suptitle(arguments.title, x=0.02, ha="left", weight="bold", fontsize=11)
