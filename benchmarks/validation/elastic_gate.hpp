@@ -3,11 +3,13 @@
 // Reference: the experiment of Antoci, Gallati and Sibilla (2007), read off their curves to about 2 mm: the lower end
 // is 45 mm aside and 18 to 20 mm up at 0.13 to 0.16 s, about 30 and 10 mm at 0.4 s. Its points over time are those that
 // Ng et al. (2020, a coupled SPH and volume-compensated particle method) plot, as the repository dineshadepu/fsi_etvf
-// on GitHub has read them off. Geometry: water 0.1 m wide and 0.14 m high; gate 79 mm high and 5 mm thick, held above
-// that, 1100 kg/m^3; water and gate have one spacing. Rubber: 1.2e7 Pa and nu = 0.4 as they give it, and 7.8e6 Pa and
-// 0.47 as later papers do for the same gate. Scheme: hydroelastic.hpp. Measure: the mean way of the particles of the
-// gate's lower end, and that of its downstream corner, for nobody says which point it was in the experiment; an end
-// that turns lifts that corner further.
+// on GitHub has read them off.
+// Geometry: water 0.1 m wide and 0.14 m high; gate 79 mm high and 5 mm thick, held above that, 1100 kg/m^3; water and
+// gate have one spacing.
+// Rubber: 1.2e7 Pa and nu = 0.4 as they give it, and 7.8e6 Pa and 0.47 as later papers do for the same gate.
+// Scheme: hydroelastic.hpp.
+// Measure: the mean way of the particles of the gate's lower end, and that of its downstream corner, for nobody says
+// which point it was in the experiment; an end that turns lifts that corner further.
 #pragma once
 
 #include "case.hpp"
@@ -22,14 +24,14 @@ namespace validation::elastic_gate {
 using namespace hydroelastic;
 
 /// The experiment: when, s, and how far aside and up the lower end then is, m.
-struct Point {
+struct Reading {
     double time, aside, up;
 };
-constexpr std::array<Point, 5> experiment{{{0.040, 0.0125, 0.0011},
-                                           {0.080, 0.0340, 0.0102},
-                                           {0.119, 0.0440, 0.0151},
-                                           {0.160, 0.0464, 0.0171},
-                                           {0.360, 0.0374, 0.0109}}};
+constexpr std::array<Reading, 5> experiment{{{0.040, 0.0125, 0.0011},
+                                             {0.080, 0.0340, 0.0102},
+                                             {0.119, 0.0440, 0.0151},
+                                             {0.160, 0.0464, 0.0171},
+                                             {0.360, 0.0374, 0.0109}}};
 
 struct Way {
     std::array<sph::Point<2>, experiment.size()> then;      ///< of the lower end, at the times of the experiment, m

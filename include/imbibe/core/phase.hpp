@@ -255,6 +255,16 @@ constexpr bool has_effect_on(TypeList<T...>) {
     };
     return ((acts_on<P, T> && has(std::type_identity<typename Listed<T>::Term>{})) || ...);
 }
+// Has a coupling with these terms one whose limit asks for the nearest pair? That is a repulsion.
+template <class... T>
+constexpr bool asks_for_nearest(TypeList<T...>) {
+    [[maybe_unused]] const auto asks = []<class Term>(std::type_identity<Term>) {
+        return requires {
+            requires Term::limit_by_nearest;
+        };
+    };
+    return (asks(std::type_identity<typename Listed<T>::Term>{}) || ...);
+}
 } // namespace detail
 
 /// The terms between two phases.

@@ -1,7 +1,7 @@
 // How high the surface of a fluid stands above a place: a wave gauge.
 #pragma once
 
-#include <imbibe/kernels/kernels.hpp>
+#include <imbibe/kernels/wendland.hpp>
 #include <imbibe/monitor/value_at.hpp>
 
 #include <algorithm>

@@ -153,7 +153,7 @@ public:
     template <class C>
     double nearest_of() const {
         double least = std::numeric_limits<double>::infinity();
-        if constexpr (wants_nearest<C>(typename C::terms{}))
+        if constexpr (asks_for_nearest(typename C::terms{}))
             this->for_each_link([&]<class L>(const L& link) {
                 if constexpr (is_link_of<L, C>)
                     least = std::min(least, link.nearest);
@@ -258,14 +258,6 @@ private:
                 this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)].speed = greatest_speed(s);
         });
     }
-    template <class C, class... Term>
-    static constexpr bool wants_nearest(TypeList<Term...>) {
-        return (asks_for_nearest<typename Listed<Term>::Term> || ...);
-    }
-    template <class Term>
-    static constexpr bool asks_for_nearest = requires {
-        Term::limit_by_nearest;
-    };
     template <class L, class C>
     static constexpr bool is_link_of =
         !L::reference &&
@@ -279,7 +271,7 @@ private:
     }
     template <class C>
     void measure_nearest_of() {
-        if constexpr (wants_nearest<C>(typename C::terms{})) {
+        if constexpr (asks_for_nearest(typename C::terms{})) {
             double nearest = std::numeric_limits<double>::infinity();
             with_link_of<C>([&](const auto& link) {
                 if (!link.runs.is_empty())

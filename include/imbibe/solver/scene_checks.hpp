@@ -148,17 +148,6 @@ std::string warning_of_no_coupling(const Engine& engine) {
     return {};
 }
 
-/// Has a coupling with these terms a repulsion? Its limit asks for the nearest pair.
-template <class... T>
-constexpr bool has_repulsion(TypeList<T...>) {
-    [[maybe_unused]] const auto is_one = []<class Term>(std::type_identity<Term>) {
-        return requires {
-            requires Term::limit_by_nearest;
-        };
-    };
-    return (is_one(std::type_identity<typename Listed<T>::Term>{}) || ...);
-}
-
 /// A sentence if a coupling pushes a fluid by pressure, and the fluid's density, which follows from its motion, does
 /// not count the other phase, or an empty one. The pressure then does not rise where the fluid comes nearer, and it
 /// goes through, unless there is a repulsion, which rises by itself.
@@ -169,7 +158,7 @@ std::string warning_of_no_continuity(const Engine& engine) {
     using Terms = typename C::terms;
     if constexpr (is_fluid<P> && has_effect_on<P, effects::continuity_equation>(typename P::terms{}) &&
                   has_effect_on<P, effects::pressure_force>(Terms{}) &&
-                  !has_effect_on<P, effects::continuity_equation>(Terms{}) && !has_repulsion(Terms{}))
+                  !has_effect_on<P, effects::continuity_equation>(Terms{}) && !asks_for_nearest(Terms{}))
         if (!engine.template are_apart<P, Other>()) {
             const std::string fluid = type_name<P>(), other = type_name<Other>(), coupling = type_name<C>();
             return text(coupling, " pushes ", fluid, " by pressure, but the density of ", fluid, " does not count ",

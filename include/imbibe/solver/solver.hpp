@@ -76,11 +76,11 @@ public:
     ///
     /// May be called again for the same phase: the material given first is that of the phase (change it by
     /// `scene[phase].material()`), so density and spacing must be the same.
-    /// @return what names the phase in `scene[...]`
     ///
     /// Particles of a total-Lagrangian phase are neighbours for good of those that they are added within a support
     /// radius of: two calls, or two bodies in one, so near to each other make one body. A body that is added to a run
     /// comes where none of the phase was put (its positions may be shifted afterwards, all by the same).
+    /// @return what names the phase in `scene[...]`
     /// @throws Error for a material or spacing out of range, a coordinate that is not finite, a point nearer than
     /// 1e-3 spacings to another or to a particle of the phase, and in a total-Lagrangian phase a point within the
     /// support radius of where a particle was added that has left by more than a tenth of the distance; the scene is
