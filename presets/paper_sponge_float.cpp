@@ -1,4 +1,5 @@
 // For the library imbibe::presets: the scene of PaperSponge in float.
-#include <imbibe/presets/compiled.hpp>
+#include <imbibe/presets/compiled_scene.hpp>
+#include <imbibe/presets/paper_sponge.hpp>
 
-IMBIBE_PRESET_FUNCTIONS(, PaperSponge, float);
+IMBIBE_PAPER_SPONGE_FUNCTIONS(, float);

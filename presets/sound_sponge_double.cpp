@@ -1,4 +1,5 @@
 // For the library imbibe::presets: the scene of SoundSponge in double.
-#include <imbibe/presets/compiled.hpp>
+#include <imbibe/presets/compiled_scene.hpp>
+#include <imbibe/presets/sound_sponge.hpp>
 
-IMBIBE_PRESET_FUNCTIONS(, SoundSponge, double);
+IMBIBE_SOUND_SPONGE_FUNCTIONS(, double);

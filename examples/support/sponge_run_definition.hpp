@@ -6,7 +6,8 @@
 
 #include <imbibe/imbibe.hpp>
 #include <imbibe/output/recover.hpp>
-#include <imbibe/presets/compiled.hpp>
+#include <imbibe/presets/compiled_scene.hpp>
+#include <imbibe/presets/sponge.hpp>
 
 #include <csignal>
 #include <unistd.h>

@@ -5,4 +5,4 @@ template imbibe::example::SpongeResult
 imbibe::example::run_sponge<imbibe::presets::PaperSponge, double>(const imbibe::presets::SpongeCase&, double,
                                                                   const imbibe::example::SpongeOutput&);
 
-IMBIBE_PRESET_FUNCTIONS(, PaperSponge, double);
+IMBIBE_PAPER_SPONGE_FUNCTIONS(, double);

@@ -5,4 +5,4 @@ template imbibe::example::SpongeResult
 imbibe::example::run_sponge<imbibe::presets::PaperSponge, float>(const imbibe::presets::SpongeCase&, double,
                                                                  const imbibe::example::SpongeOutput&);
 
-IMBIBE_PRESET_FUNCTIONS(, PaperSponge, float);
+IMBIBE_PAPER_SPONGE_FUNCTIONS(, float);

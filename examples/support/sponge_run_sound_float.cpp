@@ -5,4 +5,4 @@ template imbibe::example::SpongeResult
 imbibe::example::run_sponge<imbibe::presets::SoundSponge, float>(const imbibe::presets::SpongeCase&, double,
                                                                  const imbibe::example::SpongeOutput&);
 
-IMBIBE_PRESET_FUNCTIONS(, SoundSponge, float);
+IMBIBE_SOUND_SPONGE_FUNCTIONS(, float);

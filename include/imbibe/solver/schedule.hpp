@@ -20,19 +20,24 @@ namespace imbibe {
 
 /// A set of columns or rows: up to 256 bits.
 struct Bits {
-    /// The bits, 64 in a word.
-    std::array<std::uint64_t, 4> words{};
+    /// The bits, 64 in a word. Not a std::array, and no loops below: a compiler that evaluates a schedule counts calls.
+    std::uint64_t words[4]{};
 
     /// The greatest number of bits.
     static constexpr int capacity = 256;
     /// Bits beyond the capacity are dropped: a scene that needs them is refused as too large.
     constexpr void set(int k) {
         if (k < capacity)
-            words[static_cast<std::size_t>(k / 64)] |= std::uint64_t{1} << (k % 64);
+            words[k / 64] |= std::uint64_t{1} << (k % 64);
     }
     /// Is bit k set?
-    constexpr bool test(int k) const {
-        return k < capacity && (words[static_cast<std::size_t>(k / 64)] >> (k % 64) & 1);
+    constexpr bool test(int k) const { return k < capacity && (words[k / 64] >> (k % 64) & 1); }
+    /// The first bit from k on that is set; the capacity if there is none.
+    constexpr int next(int k) const {
+        for (; k < capacity; k = (k / 64 + 1) * 64)
+            if (const std::uint64_t left = words[k / 64] >> (k % 64); left != 0)
+                return k + std::countr_zero(left);
+        return capacity;
     }
     /// Is one set?
     constexpr bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
@@ -42,22 +47,16 @@ struct Bits {
         return std::popcount(words[0]) + std::popcount(words[1]) + std::popcount(words[2]) + std::popcount(words[3]);
     }
     /// The bits of a or b.
-    friend constexpr Bits operator|(Bits a, const Bits& b) {
-        for (std::size_t k = 0; k < 4; ++k)
-            a.words[k] |= b.words[k];
-        return a;
+    friend constexpr Bits operator|(const Bits& a, const Bits& b) {
+        return {{a.words[0] | b.words[0], a.words[1] | b.words[1], a.words[2] | b.words[2], a.words[3] | b.words[3]}};
     }
     /// The bits of a and b.
-    friend constexpr Bits operator&(Bits a, const Bits& b) {
-        for (std::size_t k = 0; k < 4; ++k)
-            a.words[k] &= b.words[k];
-        return a;
+    friend constexpr Bits operator&(const Bits& a, const Bits& b) {
+        return {{a.words[0] & b.words[0], a.words[1] & b.words[1], a.words[2] & b.words[2], a.words[3] & b.words[3]}};
     }
     /// The bits of a that are not in b.
-    friend constexpr Bits operator-(Bits a, const Bits& b) {
-        for (std::size_t k = 0; k < 4; ++k)
-            a.words[k] &= ~b.words[k];
-        return a;
+    friend constexpr Bits operator-(const Bits& a, const Bits& b) {
+        return {{a.words[0] & ~b.words[0], a.words[1] & ~b.words[1], a.words[2] & ~b.words[2], a.words[3] & ~b.words[3]}};
     }
     /// Are they the same?
     friend constexpr bool operator==(const Bits&, const Bits&) = default;
@@ -150,15 +149,16 @@ public:
 
 private:
     const std::array<Row, n>& rows;
+    const Row* first = rows.data(); // of the rows
     Bits given;
     Bits done;      // rows
     Bits ancestors; // rows from which the rates of advanced states are computed
     Bits advanced;  // columns
-    std::array<Bits, Bits::capacity> providers{}; // by column: the rows that write it
-    std::array<Bits, Bits::capacity> old{};       // by row: the states that it sees as they were
+    Bits providers[Bits::capacity]; // by column: the rows that write it
+    Bits old[Bits::capacity];       // by row: the states that it sees as they were
     Plan plan;
 
-    constexpr const Row& row(int r) const { return rows[static_cast<std::size_t>(r)]; }
+    constexpr const Row& row(int r) const { return first[r]; }
 
     constexpr void find_faults() {
         if (n > 256) {
@@ -171,13 +171,13 @@ private:
                 continue;
             }
             const Bits writes = row(r).sets | row(r).adds;
-            for (int c = 0; c < Bits::capacity; ++c)
-                if (writes.test(c))
-                    providers[static_cast<std::size_t>(c)].set(r);
+            for (int c = writes.next(0); c < Bits::capacity; c = writes.next(c + 1))
+                providers[c].set(r);
         }
-        for (int r = 0; r < static_cast<int>(n); ++r)
-            for (int c = 0; c < Bits::capacity; ++c) {
-                const Bits& who = providers[static_cast<std::size_t>(c)];
+        for (int r = 0; r < static_cast<int>(n); ++r) {
+            const Bits all = row(r).reads | row(r).sets;
+            for (int c = all.next(0); c < Bits::capacity; c = all.next(c + 1)) {
+                const Bits& who = providers[c];
                 if (row(r).reads.test(c) && !given.test(c) && !who.any()) {
                     plan = {.fault = Fault::nobody_sets, .column = c, .row = r};
                     return;
@@ -189,6 +189,7 @@ private:
                             return;
                         }
             }
+        }
     }
 
     constexpr void find_ancestors() {
@@ -205,13 +206,13 @@ private:
         const Bits shared = shared_ancestors();
         for (int r = 0; r < static_cast<int>(n); ++r)
             if (ancestors.test(r) && !shared.test(r))
-                old[static_cast<std::size_t>(r)] = row(r).reads & advanced;
+                old[r] = row(r).reads & advanced;
         for (const Row& advance : rows)
             if (advance.advances) {
                 const Bits behind = rows_behind(advance);
                 for (int r = 0; r < static_cast<int>(n); ++r)
                     if (shared.test(r) && behind.test(r)) {
-                        Bits& seen = old[static_cast<std::size_t>(r)];
+                        Bits& seen = old[r];
                         seen = seen | (row(r).reads & advance.sets);
                     }
             }
@@ -252,14 +253,12 @@ private:
 
     constexpr bool ready(int r) const {
         const Row& it = row(r);
-        for (std::size_t w = 0; w < it.reads.words.size(); ++w)
-            for (std::uint64_t left = it.reads.words[w]; left != 0; left &= left - 1) {
-                const int c = static_cast<int>(w) * 64 + std::countr_zero(left);
-                if ((providers[static_cast<std::size_t>(c)] - done).any())
-                    return false;
-                if (advanced.test(c) && !it.advances && !sees_old(r, c) && !column_advanced(c))
-                    return false;
-            }
+        for (int c = it.reads.next(0); c < Bits::capacity; c = it.reads.next(c + 1)) {
+            if ((providers[c] - done).any())
+                return false;
+            if (advanced.test(c) && !it.advances && !sees_old(r, c) && !column_advanced(c))
+                return false;
+        }
         if (it.advances) // whoever needs the old value must have had it
             for (int other = 0; other < static_cast<int>(n); ++other)
                 if (!done.test(other) && needs_old(other, it))
@@ -267,9 +266,9 @@ private:
         return true;
     }
 
-    constexpr bool sees_old(int r, int c) const { return old[static_cast<std::size_t>(r)].test(c); }
+    constexpr bool sees_old(int r, int c) const { return old[r].test(c); }
     constexpr bool needs_old(int r, const Row& advance) const {
-        return (old[static_cast<std::size_t>(r)] & advance.sets).any();
+        return (old[r] & advance.sets).any();
     }
 
     constexpr bool column_advanced(int c) const {
@@ -281,16 +280,16 @@ private:
 
     // A row that row r waits for; -1 if there is none.
     constexpr int waits_for(int r) const {
-        for (int c = 0; c < Bits::capacity; ++c)
-            if (row(r).reads.test(c))
-                for (int other = 0; other < static_cast<int>(n); ++other) {
-                    if (done.test(other))
-                        continue;
-                    if (providers[static_cast<std::size_t>(c)].test(other))
-                        return other;
-                    if (row(other).advances && row(other).sets.test(c) && !row(r).advances && !sees_old(r, c))
-                        return other;
-                }
+        const Bits& reads = row(r).reads;
+        for (int c = reads.next(0); c < Bits::capacity; c = reads.next(c + 1))
+            for (int other = 0; other < static_cast<int>(n); ++other) {
+                if (done.test(other))
+                    continue;
+                if (providers[c].test(other))
+                    return other;
+                if (row(other).advances && row(other).sets.test(c) && !row(r).advances && !sees_old(r, c))
+                    return other;
+            }
         if (row(r).advances)
             for (int other = 0; other < static_cast<int>(n); ++other)
                 if (!done.test(other) && needs_old(other, row(r)))
