@@ -20,7 +20,8 @@ import tempfile
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SPONGE = [f"examples/support/sponge_run_{name}.cpp"
           for name in ("paper_float", "paper_double", "sound_float", "sound_double")]
-BUDGET = {"examples/dam_break.cpp": (5, 0.7), SPONGE[2]: (10, 1.0)}
+FROM_A_PRESET = "examples/guides/from_a_preset.cpp"  # a dam break, too
+BUDGET = {"examples/dam_break.cpp": (5, 0.7), FROM_A_PRESET: (5, 0.7), SPONGE[2]: (10, 1.0)}
 PRESETS = ["-DIMBIBE_COMPILED_PRESETS"]  # as where CMake links imbibe::presets
 
 
@@ -91,7 +92,8 @@ def programs():
     parts = ["examples/sponge.cpp", "examples/support/sponge_run.cpp", *SPONGE]
     alone = [path for path in under("examples") if path not in parts and not path.endswith("sponge_study.cpp")]
     return [(path, [], False) for path in [*alone, *under("presets")]] + \
-        [("examples/gyroid.cpp", PRESETS, False)] + [(path, [], True) for path in parts]
+        [(path, PRESETS, False) for path in ("examples/gyroid.cpp", FROM_A_PRESET, SPONGE[2])] + \
+        [(FROM_A_PRESET, [], False)] + [(path, [], True) for path in parts]
 
 
 def measure_programs(page, compilers, only):
@@ -100,7 +102,7 @@ def measure_programs(page, compilers, only):
         found = compilers[0].measure(os.path.join(ROOT, path), flags)
         if of_the_sponge:
             sponge.append(found)
-        limits = BUDGET.get(path, ()) if not flags else ()
+        limits = BUDGET.get(path, ())
         budget = ", ".join(f"{limit} {unit} {'kept' if value <= limit else 'missed'}"
                            for limit, unit, value in zip(limits, ("s", "GB"), found))
         words = f"`{path}`" + (", linked with imbibe::presets" if flags else "")

@@ -1,6 +1,6 @@
 // Water falls on a gyroid, a sponge of one smooth strut without end, and drains through it, in three dimensions.
 //
-// The composition is that of the sponge (presets/sponge.hpp, SoundSponge); only the shape is another: Schoen's gyroid
+// The composition is that of the sponge (presets/sound_sponge.hpp); only the shape is another: Schoen's gyroid
 // (1970) in cells of 10 mm, 0.35 of it solid, soft, its underside held. It is periodic to the sides, so that four cells
 // stand for a layer of them.
 //
@@ -12,7 +12,7 @@
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
-#include <imbibe/presets/sponge.hpp>
+#include <imbibe/presets/sound_sponge.hpp>
 
 #include <cstdio>
 

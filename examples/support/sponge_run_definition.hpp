@@ -1,4 +1,5 @@
-// What a run of the sponge does: tables, snapshots and pictures, for any composition of presets/sponge.hpp.
+// What a run of the sponge does: tables, snapshots and pictures, for any composition of presets/sponge.hpp:
+// include that of yours before this.
 #pragma once
 
 #include "pictures.hpp"
@@ -7,10 +8,13 @@
 #include <imbibe/imbibe.hpp>
 #include <imbibe/output/recover.hpp>
 #include <imbibe/presets/compiled_scene.hpp>
-#include <imbibe/presets/sponge.hpp>
 
 #include <csignal>
 #include <unistd.h>
+
+namespace imbibe::presets {
+struct PaperSponge; // one file compiles one composition: the other's scene is not so much as looked at
+}
 
 namespace imbibe::example {
 

@@ -1,8 +1,8 @@
-// The sponge in the `paper` composition, computed in double, and the functions of that scene for other examples.
+// The sponge in the `paper` composition, computed in double.
+#include <imbibe/presets/paper_sponge.hpp>
+
 #include "sponge_run_definition.hpp"
 
 template imbibe::example::SpongeResult
 imbibe::example::run_sponge<imbibe::presets::PaperSponge, double>(const imbibe::presets::SpongeCase&, double,
                                                                   const imbibe::example::SpongeOutput&);
-
-IMBIBE_PAPER_SPONGE_FUNCTIONS(, double);

@@ -30,23 +30,11 @@ public:
     /// after every `pore_interval`.
     /// @throws Diverged
     template <class Scene>
-    void operator()(const Scene& scene) {
-        const bool at_pores = settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0;
-        if (at_pores || scene.steps() % settings_.interval == 0)
-            look_at_particles(scene);
-        else
-            glance(scene);
-        if (at_pores)
-            look_at_pores(scene);
-    }
+    void operator()(const Scene& scene);
     /// Looks at everything now, for example before a checkpoint is written, so that it is a good one.
     /// @throws Diverged
     template <class Scene>
-    void look(const Scene& scene) {
-        look_at_particles(scene);
-        if (settings_.least_pore > 0)
-            look_at_pores(scene);
-    }
+    void look(const Scene& scene);
 
     /// Forgets the energies it has seen, as after a return to an earlier state.
     void start_anew() { start_.reset(); }
@@ -363,6 +351,27 @@ private:
                     "forces that the limits do not know, or a start with overlaps; a lower cfl tells these apart");
     }
 };
+
+// Out of the class: a program may leave them to a library (`extern template`).
+
+template <int dim>
+template <class Scene>
+void Guard<dim>::operator()(const Scene& scene) {
+    const bool at_pores = settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0;
+    if (at_pores || scene.steps() % settings_.interval == 0)
+        look_at_particles(scene);
+    else
+        glance(scene);
+    if (at_pores)
+        look_at_pores(scene);
+}
+template <int dim>
+template <class Scene>
+void Guard<dim>::look(const Scene& scene) {
+    look_at_particles(scene);
+    if (settings_.least_pore > 0)
+        look_at_pores(scene);
+}
 
 /// A guard is of the dimension of its bounds.
 template <int dim>

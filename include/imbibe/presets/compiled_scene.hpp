@@ -23,8 +23,10 @@
 #define IMBIBE_SCENE_FUNCTIONS(linkage, ...)                                                                           \
     linkage template class __VA_ARGS__;                                                                                \
     linkage template std::string imbibe::describe(__VA_ARGS__&);                                                       \
+    linkage template double imbibe::estimate_wall_seconds(const __VA_ARGS__&, double, int);                            \
     linkage template void imbibe::Progress::operator()(const __VA_ARGS__&);                                            \
     linkage template void imbibe::Snapshots::operator()(const __VA_ARGS__&);                                           \
+    linkage template void imbibe::Guard<__VA_ARGS__::dimension>::operator()(const __VA_ARGS__&);                       \
     linkage template void imbibe::Guard<__VA_ARGS__::dimension>::look(const __VA_ARGS__&);                             \
     linkage template void imbibe::write_checkpoint(__VA_ARGS__&, const std::filesystem::path&,                         \
                                                    const imbibe::CheckpointNotes&);                                    \

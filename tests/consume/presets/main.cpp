@@ -1,6 +1,6 @@
-// A program that takes the scene of a preset from the library imbibe::presets instead of compiling it: its water, out
-// of reach of sponge and walls, falls as everything does.
-#include <imbibe/presets/sponge.hpp>
+// A program that takes the scenes of two presets from the library imbibe::presets instead of compiling them: water that
+// is out of reach of sponge and walls falls as everything does.
+#include <imbibe/presets/sound_sponge.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -20,5 +20,16 @@ int main() {
     const double speed = scene.get<Preset::Water>()[imbibe::velocity].col(2).cast<double>().mean();
     std::printf("%s\nafter %g s the water falls with %g m/s, g t = %g m/s\n", imbibe::describe(scene).c_str(), end,
                 -speed, numbers.gravity * end);
-    return std::abs(speed + numbers.gravity * end) < 1e-5 * numbers.gravity * end ? 0 : 1;
+
+    using Plane = imbibe::presets::SoundWater;
+    Plane::Scene<2, double> drop({.gravity = {0, -9.81}, .support_radius = 0.026});
+    Plane::Water water{{.density = 1000, .sound_speed = 10}};
+    Plane::set_coefficients(water);
+    const auto pool = drop.add(water, {{0, 1}}, 0.01);
+    drop.run_until(end);
+    const double of_the_drop = drop[pool][imbibe::velocity](0, 1);
+    return std::abs(speed + numbers.gravity * end) < 1e-5 * numbers.gravity * end &&
+                   std::abs(of_the_drop + 9.81 * end) < 1e-9
+               ? 0
+               : 1;
 }
