@@ -15,13 +15,13 @@ using Preset = sph::presets::SoundWater;
 
 int main() {
     const double dx = 0.01, width = 0.5, height = 0.5, length = 1.6, g = 9.81, end = 0.3;
-    const double fastest = 2 * std::sqrt(g * height); // of the front of a dam break on a bed without water (Ritter 1892)
+    const double fastest = 2 * std::sqrt(g * height); // what a front comes to on a dry bed (Ritter 1892), m/s
     Preset::Scene<2, double> scene({.gravity = {0, -g}, .support_radius = 2.6 * dx});
     Preset::Water water{{.density = 1000, .sound_speed = 10 * fastest, .viscosity = 1e-3}};
     Preset::set_coefficients(water);
     const auto pool = scene.add(water, sph::fill(sph::Box<2>({0, 0}, {width, height}), dx), dx);
-    scene.add(Preset::Vessel{{.density = 1000}},
-              sph::tank(sph::Box<2>({0, 0}, {length, 1}), dx, 3, sph::Sides::y_high), dx);
+    scene.add(Preset::Vessel{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {length, 1}), dx, 3, sph::Sides::y_high),
+              dx);
     Preset::set_coefficients(scene.coupling<Preset::Sides>(), water);
     std::printf("%s", sph::describe(scene).c_str());
     scene.run_until(end, sph::Progress(end, false), sph::Guard<2>({.lower = {-dx, -dx}, .upper = {length + dx, 1}}),

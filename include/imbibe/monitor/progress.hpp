@@ -82,8 +82,7 @@ void Progress::operator()(const Scene& scene) {
 
 template <class Scene>
 std::string Progress::line(const Scene& scene) const {
-    const TimeStepLimit& step =
-        cut_off(scene.last_step()) && whole_step_.seconds > 0 ? whole_step_ : scene.last_step();
+    const TimeStepLimit& step = cut_off(scene.last_step()) && whole_step_.seconds > 0 ? whole_step_ : scene.last_step();
     const double wall = wall_seconds(), share = end_ > begin_ ? (scene.time() - begin_) / (end_ - begin_) : 1;
     const int decimals = std::isnormal(end_) ? std::clamp(3 - static_cast<int>(std::log10(end_)), 4, 12) : 4;
     char numbers[120], pace[60];

@@ -74,12 +74,10 @@ struct PaperSponge {
 
 /// What takes a compiler long of `PaperSponge::Scene<Real>` (compiled_scene.hpp).
 #define IMBIBE_PAPER_SPONGE_FUNCTIONS(linkage, Real)                                                                   \
-    IMBIBE_SCENE_FUNCTIONS(linkage, imbibe::Solver<3, Real, imbibe::StaggeredLeapfrog,                                 \
-                                                   imbibe::presets::PaperSponge::Water,                                \
-                                                   imbibe::presets::PaperSponge::Sponge,                               \
-                                                   imbibe::presets::PaperSponge::Vessel,                               \
-                                                   imbibe::presets::PaperSponge::Contact,                              \
-                                                   imbibe::presets::PaperSponge::Sides>);                              \
+    IMBIBE_SCENE_FUNCTIONS(                                                                                            \
+        linkage, imbibe::Solver<3, Real, imbibe::StaggeredLeapfrog, imbibe::presets::PaperSponge::Water,               \
+                                imbibe::presets::PaperSponge::Sponge, imbibe::presets::PaperSponge::Vessel,            \
+                                imbibe::presets::PaperSponge::Contact, imbibe::presets::PaperSponge::Sides>);          \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::PaperSponge::Water, imbibe::presets::PaperSponge::Scene<Real>);   \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::PaperSponge::Sponge, imbibe::presets::PaperSponge::Scene<Real>);  \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::PaperSponge::Vessel, imbibe::presets::PaperSponge::Scene<Real>)

@@ -11,8 +11,8 @@ namespace imbibe::presets {
 /// The scene of the paper with schemes that converge: `SoundWater`, to which the sponge is an obstacle as the walls are
 /// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, and a total-Lagrangian
 /// neo-Hookean sponge with corrected gradients and hourglass control. Sound speed: ten times the speed of the fall. The
-/// sponge has a support of its own, 2 spacings: with 2.6 a plate of ten layers swings 5 % too slowly, and costs twice as
-/// much. Its Young's modulus is made up for its few layers (bending_modulus).
+/// sponge has a support of its own, 2 spacings: with 2.6 a plate of ten layers swings 5 % too slowly, and costs twice
+/// as much. Its Young's modulus is made up for its few layers (bending_modulus).
 struct SoundSponge : SoundWater {
     static constexpr const char* name = "sound";
     struct Sponge : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>,
@@ -58,12 +58,10 @@ struct SoundSponge : SoundWater {
 
 /// What takes a compiler long of `SoundSponge::Scene<Real>` (compiled_scene.hpp).
 #define IMBIBE_SOUND_SPONGE_FUNCTIONS(linkage, Real)                                                                   \
-    IMBIBE_SCENE_FUNCTIONS(linkage, imbibe::Solver<3, Real, imbibe::SymplecticEuler,                                   \
-                                                   imbibe::presets::SoundSponge::Water,                                \
-                                                   imbibe::presets::SoundSponge::Sponge,                               \
-                                                   imbibe::presets::SoundSponge::Vessel,                               \
-                                                   imbibe::presets::SoundSponge::Contact,                              \
-                                                   imbibe::presets::SoundSponge::Sides>);                              \
+    IMBIBE_SCENE_FUNCTIONS(                                                                                            \
+        linkage, imbibe::Solver<3, Real, imbibe::SymplecticEuler, imbibe::presets::SoundSponge::Water,                 \
+                                imbibe::presets::SoundSponge::Sponge, imbibe::presets::SoundSponge::Vessel,            \
+                                imbibe::presets::SoundSponge::Contact, imbibe::presets::SoundSponge::Sides>);          \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundSponge::Water, imbibe::presets::SoundSponge::Scene<Real>);   \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundSponge::Sponge, imbibe::presets::SoundSponge::Scene<Real>);  \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundSponge::Vessel, imbibe::presets::SoundSponge::Scene<Real>)

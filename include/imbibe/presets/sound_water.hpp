@@ -65,11 +65,11 @@ private:
 
 /// What takes a compiler long of `SoundWater::Scene<dim, Real>` (compiled_scene.hpp).
 #define IMBIBE_SOUND_WATER_FUNCTIONS(linkage, dim, Real)                                                               \
-    IMBIBE_SCENE_FUNCTIONS(linkage, imbibe::Solver<dim, Real, imbibe::SymplecticEuler,                                 \
-                                                   imbibe::presets::SoundWater::Water,                                 \
-                                                   imbibe::presets::SoundWater::Vessel,                                \
-                                                   imbibe::presets::SoundWater::Sides>);                               \
-    IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundWater::Water, imbibe::presets::SoundWater::Scene<dim, Real>);  \
+    IMBIBE_SCENE_FUNCTIONS(linkage,                                                                                    \
+                           imbibe::Solver<dim, Real, imbibe::SymplecticEuler, imbibe::presets::SoundWater::Water,      \
+                                          imbibe::presets::SoundWater::Vessel, imbibe::presets::SoundWater::Sides>);   \
+    IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundWater::Water,                                                \
+                           imbibe::presets::SoundWater::Scene<dim, Real>);                                             \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundWater::Vessel, imbibe::presets::SoundWater::Scene<dim, Real>)
 
 #ifdef IMBIBE_COMPILED_PRESETS

@@ -56,7 +56,8 @@ struct Bits {
     }
     /// The bits of a that are not in b.
     friend constexpr Bits operator-(const Bits& a, const Bits& b) {
-        return {{a.words[0] & ~b.words[0], a.words[1] & ~b.words[1], a.words[2] & ~b.words[2], a.words[3] & ~b.words[3]}};
+        return {
+            {a.words[0] & ~b.words[0], a.words[1] & ~b.words[1], a.words[2] & ~b.words[2], a.words[3] & ~b.words[3]}};
     }
     /// Are they the same?
     friend constexpr bool operator==(const Bits&, const Bits&) = default;
@@ -267,9 +268,7 @@ private:
     }
 
     constexpr bool sees_old(int r, int c) const { return old[r].test(c); }
-    constexpr bool needs_old(int r, const Row& advance) const {
-        return (old[r] & advance.sets).any();
-    }
+    constexpr bool needs_old(int r, const Row& advance) const { return (old[r] & advance.sets).any(); }
 
     constexpr bool column_advanced(int c) const {
         for (int r = 0; r < static_cast<int>(n); ++r)

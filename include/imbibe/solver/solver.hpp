@@ -218,7 +218,7 @@ public:
     /// Is a step made of shorter ones of one phase (time/subcycled.hpp) or of some terms (time/dual_stepping.hpp)?
     static constexpr bool subcycles = requires { Integrator::template in_substeps<void, void>; };
     /// The limits on these shorter steps, without the CFL number, shortest first.
-    std::vector<TimeStepLimit> substep_limits() const requires subcycles { return limits_of<OfSubsteps>(); }
+    std::vector<TimeStepLimit> substep_limits() const requires subcycles { return limits_of<OfShortSteps>(); }
     /// How many of them the last step was made of.
     int substeps() const requires subcycles { return substeps_; }
     /// The step that would be taken next, and what limits it: of speeds as they were after the last step or `prepare`.
@@ -490,6 +490,8 @@ private:
         static constexpr bool chosen = !Integrator::template in_substeps<Where, Term>;
     };
     using OfSteps = std::conditional_t<subcycles, OfLongSteps, detail::AllLimits>;
+    // Where a scene is compiled whole, clang++ 14 compiles what `requires` rules out, too.
+    using OfShortSteps = std::conditional_t<subcycles, OfSubsteps, detail::AllLimits>;
     template <class Which>
     std::vector<TimeStepLimit> limits_of() const {
         detail::TimeStepLimits<Engine, Which> limits(engine_);

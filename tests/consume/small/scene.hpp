@@ -19,7 +19,7 @@ constexpr int small_steps = 32;
 constexpr double small_step = 0x1p-10, small_gravity = 8;
 
 /// 400 particles, 1 % denser than at rest, after 32 steps of a 1024th of a second.
-static SmallScene fallen_square() {
+[[maybe_unused]] static SmallScene fallen_square() {
     constexpr double dx = 0.1;
     SmallScene scene({.gravity = {0, -small_gravity}, .support_radius = 2.6 * dx});
     const auto water = scene.add(SmallWater{{.density = 1000, .sound_speed = 20}},
