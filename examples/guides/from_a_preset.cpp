@@ -1,7 +1,9 @@
 // A dam break from a preset: nothing is composed, and linked with imbibe::presets the scene is not compiled either.
 //
 //   build/guide_from_a_preset           then open out-from-a-preset/water.pvd in ParaView
-#include <imbibe/geometry/geometry.hpp>
+#include <imbibe/geometry/box.hpp>
+#include <imbibe/geometry/fill.hpp>
+#include <imbibe/geometry/tank.hpp>
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/snapshots.hpp>

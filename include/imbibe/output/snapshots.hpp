@@ -35,10 +35,7 @@ public:
     /// Goes on behind the first `snapshots` of an earlier run in the same folder, whatever the time of the next one;
     /// with 0 a new series begins. Throws Error if they are not there.
     template <class Scene>
-    void resume(const Scene& scene, std::size_t snapshots) {
-        scene.engine().for_each_phase(
-            [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<Scene, P>()).resume(snapshots); });
-    }
+    void resume(const Scene& scene, std::size_t snapshots);
 
 private:
     std::filesystem::path folder_;
@@ -79,13 +76,18 @@ private:
     }
 };
 
-// Out of the class: a program may leave it to a library (`extern template`).
+// Out of the class: a program may leave them to a library (`extern template`).
 template <class Scene>
 void Snapshots::operator()(const Scene& scene) {
     scene.engine().for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
         write<typename Scene::Scene, P, Scene::dimension>(s, scene.time(), scene.settings().origin,
                                                           typename Scene::template FieldsOf<P>{});
     });
+}
+template <class Scene>
+void Snapshots::resume(const Scene& scene, std::size_t snapshots) {
+    scene.engine().for_each_phase(
+        [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<Scene, P>()).resume(snapshots); });
 }
 
 } // namespace imbibe

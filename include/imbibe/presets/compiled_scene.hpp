@@ -9,10 +9,8 @@
 // and in one of its files the same three lines without `extern`.
 #pragma once
 
-#include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/progress.hpp>
-#include <imbibe/output/checkpoint.hpp>
-#include <imbibe/output/snapshots.hpp>
+#include <imbibe/output/recover.hpp>
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/solver.hpp>
 
@@ -26,6 +24,8 @@
     linkage template double imbibe::estimate_wall_seconds(const __VA_ARGS__&, double, int);                            \
     linkage template void imbibe::Progress::operator()(const __VA_ARGS__&);                                            \
     linkage template void imbibe::Snapshots::operator()(const __VA_ARGS__&);                                           \
+    linkage template void imbibe::Snapshots::resume(const __VA_ARGS__&, std::size_t);                                  \
+    linkage template std::string imbibe::keep_offending_state(const __VA_ARGS__&, const std::filesystem::path&);       \
     linkage template void imbibe::Guard<__VA_ARGS__::dimension>::operator()(const __VA_ARGS__&);                       \
     linkage template void imbibe::Guard<__VA_ARGS__::dimension>::look(const __VA_ARGS__&);                             \
     linkage template void imbibe::write_checkpoint(__VA_ARGS__&, const std::filesystem::path&,                         \
