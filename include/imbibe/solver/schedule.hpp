@@ -46,18 +46,30 @@ struct Bits {
         // Not as a loop: with AVX-512's VPOPCNTDQ, g++ 12 makes it one that counts half of the bits.
         return std::popcount(words[0]) + std::popcount(words[1]) + std::popcount(words[2]) + std::popcount(words[3]);
     }
+    // Each takes a copy: from a reference, g++ 12 fails on a Bits of which some words were never written.
     /// The bits of a or b.
-    friend constexpr Bits operator|(const Bits& a, const Bits& b) {
-        return {{a.words[0] | b.words[0], a.words[1] | b.words[1], a.words[2] | b.words[2], a.words[3] | b.words[3]}};
+    friend constexpr Bits operator|(Bits a, const Bits& b) {
+        a.words[0] |= b.words[0];
+        a.words[1] |= b.words[1];
+        a.words[2] |= b.words[2];
+        a.words[3] |= b.words[3];
+        return a;
     }
     /// The bits of a and b.
-    friend constexpr Bits operator&(const Bits& a, const Bits& b) {
-        return {{a.words[0] & b.words[0], a.words[1] & b.words[1], a.words[2] & b.words[2], a.words[3] & b.words[3]}};
+    friend constexpr Bits operator&(Bits a, const Bits& b) {
+        a.words[0] &= b.words[0];
+        a.words[1] &= b.words[1];
+        a.words[2] &= b.words[2];
+        a.words[3] &= b.words[3];
+        return a;
     }
     /// The bits of a that are not in b.
-    friend constexpr Bits operator-(const Bits& a, const Bits& b) {
-        return {
-            {a.words[0] & ~b.words[0], a.words[1] & ~b.words[1], a.words[2] & ~b.words[2], a.words[3] & ~b.words[3]}};
+    friend constexpr Bits operator-(Bits a, const Bits& b) {
+        a.words[0] &= ~b.words[0];
+        a.words[1] &= ~b.words[1];
+        a.words[2] &= ~b.words[2];
+        a.words[3] &= ~b.words[3];
+        return a;
     }
     /// Are they the same?
     friend constexpr bool operator==(const Bits&, const Bits&) = default;
@@ -150,7 +162,6 @@ public:
 
 private:
     const std::array<Row, n>& rows;
-    const Row* first = rows.data(); // of the rows
     Bits given;
     Bits done;      // rows
     Bits ancestors; // rows from which the rates of advanced states are computed
@@ -159,7 +170,7 @@ private:
     Bits old[Bits::capacity];       // by row: the states that it sees as they were
     Plan plan;
 
-    constexpr const Row& row(int r) const { return first[r]; }
+    constexpr const Row& row(int r) const { return rows[static_cast<std::size_t>(r)]; }
 
     constexpr void find_faults() {
         if (n > 256) {
