@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Compares two files of instruction counts; fails when one has grown by more than 3 %, or when a loop of the library takes
-a fifth more than the same loop by hand.
+a fifth more than the same loop by hand; 3 % more where it is of water alone and the compiler that of the stored counts.
 
     python3 tools/compare_counts.py benchmarks/baseline_counts.json counts.json
 
@@ -43,6 +43,8 @@ def main():
     parser.add_argument("--tolerance", type=float, default=3, help="growth that is let pass, percent (default: 3)")
     parser.add_argument("--by-hand", type=float, default=1.2,
                         help="how many times the instructions of a loop by hand are let pass (default: 1.2)")
+    parser.add_argument("--by-hand-water", type=float, default=1.03,
+                        help="the same for water alone, the cases fluid_*, of one compiler (default: 1.03)")
     arguments = parser.parse_args()
     (old_compiler, old), (new_compiler, new) = read(arguments.old), read(arguments.new)
 
@@ -66,11 +68,13 @@ def main():
 
     beyond = []
     for case, ratio in sorted(over_by_hand(new).items()):
-        print(f"{case}: {ratio:.3f} times those by hand")
-        if ratio > arguments.by_hand:
+        of_water = case.startswith("fluid_") and old_compiler == new_compiler
+        most = arguments.by_hand_water if of_water else arguments.by_hand
+        print(f"{case}: {ratio:.3f} times those by hand, at most {most:g}")
+        if ratio > most:
             beyond.append(case)
     if beyond:
-        print(f"more than {arguments.by_hand:g} times the instructions of the loop by hand: {', '.join(beyond)}")
+        print(f"more than that many times the instructions of the loop by hand: {', '.join(beyond)}")
         return 1
     if old_compiler != new_compiler:
         print(f"not compared: the old counts are of {old_compiler}, the new ones of {new_compiler}")

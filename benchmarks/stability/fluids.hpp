@@ -20,12 +20,12 @@ namespace stability {
 
 inline constexpr double dx = 0.8e-3, g = 9.81; // m, m/s^2
 
-/// Weakly compressible water, as in presets::SoundSponge.
+/// Weakly compressible water: presets::SoundWater.
 struct WeaklyCompressible {
     static constexpr const char* name = "weakly compressible";
     using Integrator = sph::SymplecticEuler;
     static constexpr double support = 2.6, gap = 0; // H and the distance of water from a wall, in spacings
-    using Preset = sph::presets::SoundSponge;
+    using Preset = sph::presets::SoundWater;
     using Water = Preset::Water;
     using Tank = Preset::Vessel;
     using Sides = Preset::Sides;

@@ -9,7 +9,8 @@ too, against what they speak of:
 - every line of CMake stands, for other names, in a file of tests/consume that the line before the block names likewise;
 - every program and script that a block of commands calls is there, and so is every target it builds;
 - every term has its place in docs/policies.md, and its cost in docs/effects.md;
-- every link to a file, a page or a heading has where to go.
+- every link to a file, a page or a heading has where to go;
+- every example is short.
 
     python3 docs/site/check_pages.py             says what is wrong, one line each
     python3 docs/site/check_pages.py --write     copies the whole files anew to where they are shown
@@ -23,6 +24,7 @@ import sys
 from costs import HEADERS, ROOT, lines_of
 from filter import slug
 
+STUDIES = {"sponge_study.cpp"}  # programs among the examples that are not for copying
 COMPILED = ("examples/", "tests/", "benchmarks/", "include/")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CUT = re.compile(r"<!-- (\S+) -->\n\Z")
@@ -190,6 +192,9 @@ def main():
             elif block[1] == "sh":
                 found += [(line, it) for it in faults_of_commands(block[2], known)]
         faults += [f"{page}:{line}: {what}" if line else f"{page}: {what}" for line, what in found]
+    faults += [f"{path} has {len(lines_of(path))} lines; an example that one would copy has less than 80"
+               for path in sorted(glob.glob(os.path.join(ROOT, "examples", "*.cpp")))
+               if len(lines_of(path)) >= 80 and os.path.basename(path) not in STUDIES]
     for path in sorted(glob.glob(os.path.join(HEADERS, "**", "*.hpp"), recursive=True)):
         wrong, more = faults_of_header(os.path.relpath(path, ROOT))
         faults, blocks = faults + wrong, blocks + more

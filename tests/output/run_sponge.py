@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the sponge for a few steps and looks at all it leaves: what it says, its table, its files for ParaView (read by
-VTK itself), its pictures. Then with steps that are far too long, after which it must go on from where it was good. Then
-gives it options it must refuse, before it has written anything, and lets it meet what an earlier run left in its
+VTK itself), its pictures. Then with steps that are far too long, after which it must go on from where it was good, and
+on a disk that is full. Then gives it options it must refuse, before it has written anything, and lets it meet what an earlier run left in its
 folder. At last the study of its pores, which must not take one run for another, and the judge of its tables.
 
     python3 tests/output/run_sponge.py build/sponge [build/sponge_study]
@@ -10,6 +10,7 @@ Without a second name the study is the program sponge_study beside the first.
 """
 import csv
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -33,10 +34,18 @@ def check(condition, *words):
         sys.exit(" ".join(str(word) for word in ("run_sponge: FAILED:", *words)))
 
 
-def run(*options, program=SPONGE, tools=True):
-    """Its status and all it said. Without tools it draws no pictures, which takes longer than a short run."""
+def run(*options, program=SPONGE, tools=True, largest_file=None):
+    """Its status and all it said. Without tools it draws no pictures, which takes longer than a short run. To a program
+    that may write no file of more than so many bytes the disk is full: writing fails, and it is not killed for it."""
     surroundings = os.environ if tools else {**os.environ, "IMBIBE_TOOLS": "none"}
-    done = subprocess.run([program, *map(str, options)], capture_output=True, text=True, timeout=1500, env=surroundings)
+
+    def fill_the_disk():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file, largest_file))
+
+    done = subprocess.run([program, *map(str, options)], capture_output=True, text=True, timeout=1500, env=surroundings,
+                          restore_signals=largest_file is None,
+                          preexec_fn=None if largest_file is None else fill_the_disk)
     return done.returncode, done.stdout + done.stderr
 
 
@@ -143,6 +152,21 @@ def check_stopped_by_its_guard(folder):
     check(code == 0 and (folder / "finished.txt").exists(), "--overwrite:", code, said)
 
 
+def check_full_disk(folder):
+    """A disk that takes no more ends a run in a clear word, and what was there before stays: the run can go on."""
+    common = ["--quick", "--snapshots", 0, "--threads", 1, "--output", folder]
+    code, said = run(*common, "--end", 0.001, tools=False)
+    check(code == 0, "before the disk is full:", code, said)
+    good = (folder / "checkpoint").read_bytes()
+    code, said = run(*common, "--end", 0.002, "--restart", tools=False, largest_file=len(good) // 2)
+    words = f"cannot write {folder / 'checkpoint'}: the disk refused it"
+    check(code > 0 and words in said, "a full disk:", code, said)
+    check("from the last checkpoint once the folder can be written again" in said, "the advice:", said)
+    check((folder / "checkpoint").read_bytes() == good, "a full disk has changed the checkpoint")
+    code, said = run(*common, "--end", 0.002, "--restart", tools=False)
+    check(code == 0 and "all accounted for" in said, "once there is room again:", code, said)
+
+
 def check_advice_of_the_paper(folder):
     """Its step is fixed, so that another --cfl would be refused."""
     options = ["--composition", "paper", "--strip", "--pool", 7, "--threads", 1, "--snapshots", 0, "--output", folder]
@@ -245,6 +269,7 @@ with tempfile.TemporaryDirectory() as name:
     check_tank_is_drawn(root / "run", root)
     check_finished_run_is_replaced(root / "run")
     check_stopped_by_its_guard(root / "stopped")
+    check_full_disk(root / "full")
     check_advice_of_the_paper(root / "paper")
     check_ctrl_c(root / "interrupted")
     check_study(root / "study")

@@ -21,7 +21,7 @@ namespace imbibe::presets {
 /// Weakly compressible water: Wendland C2, for a support of 2.6 spacings, density diffusion, the volume-based pressure,
 /// its viscosity and a little artificial one, and walls to which its pressure is continued (Adami, Hu and Adams 2012),
 /// with a guard over less than a spacing against what comes too near. Choose a sound speed of ten times the greatest
-/// speed. `examples/guides/preset.cpp` is a program with it; docs/stability.md says what it bears ("weakly
+/// speed. `examples/guides/from_a_preset.cpp` is a program with it; docs/stability.md says what it bears ("weakly
 /// compressible").
 struct SoundWater {
     /// The kernel of all terms but the guard.
