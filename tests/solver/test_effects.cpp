@@ -214,4 +214,32 @@ TEST_CASE("Phases out of each other's reach have no neighbours to sweep, with pe
     CHECK(speed() > 0);
 }
 
+TEST_CASE("Walls that no water is near have no neighbours to sweep", "[effects]") {
+    const double dx = 0.1, H = 2.6 * dx;
+    std::vector<sph::Point<3>> water, walls;
+    for (int x = 0; x < 20; ++x)
+        for (int y = 0; y < 8; ++y)
+            for (int z = 0; z < 3; ++z) {
+                if (x < 4)
+                    water.push_back(dx * sph::Point<3>(x, y, z));
+                walls.push_back(dx * sph::Point<3>(x, y, z - 3));
+            }
+    sph::Solver<3, float, sph::SymplecticEuler, Viscous, Tank, Sides> scene({.support_radius = H, .threads = 1});
+    scene.add(Viscous{{.density = 1000, .sound_speed = 30}}, water, dx);
+    const auto tank = scene.add(Tank{{.density = 1000}}, walls, dx);
+    scene.prepare();
+    const auto& link = scene.engine().link<Tank, Viscous, false>();
+    const auto pairs = scene.engine().pairs_of(link);
+    const auto x = scene[tank][sph::position];
+    int near = 0;
+    for (int i = 0; i < scene[tank].size(); ++i) {
+        const bool within = x(i, 0) < 3 * dx + 0.999 * H && x(i, 2) > -0.999 * H;
+        CAPTURE(x(i, 0), x(i, 1), x(i, 2));
+        if (x(i, 0) > 3 * dx + 1.001 * H)
+            CHECK(pairs.is_alone(i));
+        near += within && !pairs.is_alone(i);
+    }
+    CHECK(near > 50);
+}
+
 } // namespace effects_test
