@@ -37,6 +37,7 @@ constexpr double harmonic_viscosity(const auto& material_a, const auto& material
 template <class Kernel = WendlandC2>
 struct ClearyViscosity {
     using effect = effects::viscous_force;
+    static constexpr bool needs_viscosity = true;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<acceleration>;
 

@@ -154,6 +154,7 @@ struct CorrectedPressure {
 template <class Kernel = WendlandC2>
 struct CorrectedViscosity {
     using effect = effects::viscous_force;
+    static constexpr bool needs_viscosity = true;
     using beside_in_couplings = CorrectionNeighbours<Kernel>;
     using corrected_kernel = Kernel;
     using reads = Fields<mass, density, velocity, gradient_correction>;

@@ -11,7 +11,8 @@ namespace imbibe {
 
 namespace detail {
 
-// The dynamic viscosity of a pair of materials, Pa s, the same seen from either side.
+// The dynamic viscosity of a pair of materials, Pa s, the same seen from either side. Where neither has one, a rule of
+// the scene says so (`needs_viscosity`).
 template <class A, class B>
 constexpr double pair_viscosity(const A& a, const B& b) {
     constexpr bool a_has = requires {
@@ -20,8 +21,9 @@ constexpr double pair_viscosity(const A& a, const B& b) {
     , b_has = requires {
         b.viscosity;
     };
-    static_assert(a_has || b_has, "imbibe: LaminarViscosity needs a phase with a viscosity on at least one side");
-    if constexpr (!b_has)
+    if constexpr (!a_has && !b_has)
+        return 0;
+    else if constexpr (!b_has)
         return a.viscosity;
     else if constexpr (!a_has)
         return b.viscosity;
@@ -53,6 +55,7 @@ constexpr double pair_viscosity(const A& a, const B& b) {
 template <class Kernel = ViscosityKernel>
 struct LaminarViscosity {
     using effect = effects::viscous_force;
+    static constexpr bool needs_viscosity = true;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<acceleration>;
 

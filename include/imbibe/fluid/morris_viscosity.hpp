@@ -50,6 +50,7 @@ constexpr double viscosity_sum(const auto& material_a, const auto& material_b) {
 template <class Kernel = WendlandC2>
 struct MorrisViscosity {
     using effect = effects::viscous_force;
+    static constexpr bool needs_viscosity = true;
     using reads = Fields<mass, density, velocity>;
     using adds = Fields<acceleration>;
 

@@ -83,6 +83,13 @@ private:
     static constexpr bool lists(TypeList<T...>) {
         return (std::is_same_v<typename Listed<T>::Term, Term> || ...);
     }
+    template <class Item>
+    static constexpr bool has_viscosity() {
+        if constexpr (IsCoupling<Item>)
+            return has_viscosity<typename Item::First>() || has_viscosity<typename Item::Second>();
+        else
+            return requires(const Item& phase) { phase.viscosity; };
+    }
     template <class Item, class T>
     static constexpr bool check_term() {
         using Term = typename Listed<T>::Term;
@@ -90,6 +97,9 @@ private:
             return break_rule<rules::NotATerm<T, Item, list_terms_only_and_Into_only_in_couplings>>();
         else if constexpr (!IsCoupling<Item> && !suits<Item, Term>)
             return break_rule<rules::NotASolid<Term, Item, give_it_to_a_solid>>();
+        else if constexpr (requires { requires Term::needs_viscosity; } && !has_viscosity<Item>())
+            return break_rule<
+                rules::NoViscosity<Term, Item, list_it_where_a_phase_has_a_viscosity_as_fluids_and_walls_do>>();
         else if constexpr (std::is_same_v<Term, T> && requires { requires Term::one_sided; })
             return break_rule<rules::NotInto<Term, Item, write_it_in_a_coupling_as_Into_the_wall_or_solid>>();
         else if constexpr (IsCoupling<Item>)

@@ -20,6 +20,7 @@ struct give_it_a_force_that_the_coupling_lists;
 struct give_both_the_same_kernel;
 struct list_terms_only_and_Into_only_in_couplings;
 struct give_it_to_a_solid;
+struct list_it_where_a_phase_has_a_viscosity_as_fluids_and_walls_do;
 struct let_the_part_add_to_the_field;
 struct let_the_part_add_to_its_rate_or_set_it;
 struct write_time_step_limit_of_the_material_and_TimeStepInput_with_a_limit_name;
@@ -30,6 +31,7 @@ struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
 struct list_it_in_a_phase_or_coupling_or_do_not_name_it;
 struct let_every_short_step_evaluate_it;
+struct name_terms_such_as_MorrisViscosity;
 struct list_it_in_the_coupling_Into_the_phase;
 struct list_each_phase_and_coupling_once;
 struct list_the_term_Clamped_in_the_phase;
@@ -99,6 +101,16 @@ struct NotInPhases {
 template <class Term, class Reaction, class Coupling, class Advice>
 struct NothingToReactTo {
     static_assert(never<Term>, "imbibe: this force is none of the coupling, which lists a reaction to it");
+};
+/// Rule: dual stepping names the terms that a long step evaluates once.
+template <class Integrator, class Advice>
+struct NothingIsSlow {
+    static_assert(never<Integrator>, "imbibe: DualStepping names no term to be evaluated once in a long step");
+};
+/// Rule: a term that asks for a viscosity (`needs_viscosity`) is of a phase that has one, or of a coupling with one.
+template <class Term, class Where, class Advice>
+struct NoViscosity {
+    static_assert(never<Term>, "imbibe: this term asks for a viscosity, and there is none");
 };
 /// Rule: a term that asks both sides for a fluid's state (`between_fluids`) is of a fluid, or of a coupling of two.
 template <class Term, class Coupling, class Advice>

@@ -345,6 +345,8 @@ private:
             return false; // an error of its own
         else if constexpr (requires { typename I::Fast; })
             return in_the_scene<typename I::Fast, Phases, list_the_phase_in_the_solver>();
+        else if constexpr (requires { requires I::Slow::size == 0; })
+            return detail::break_rule<rules::NothingIsSlow<I, name_terms_such_as_MorrisViscosity>>();
         else if constexpr (requires { typename I::Slow; })
             return detail::RowsOfTerms<Scene, typename I::Slow>::check();
         else

@@ -20,7 +20,6 @@ namespace imbibe {
 /// Source: Cole (1948); Monaghan (1994); the paper, Eq. (8).
 template <int gamma = 7>
 struct Tait {
-    static_assert(gamma >= 1, "imbibe: the exponent gamma of Tait must be a whole number from 1 on (7 for water)");
     using reads = Fields<density>;
     using sets = Fields<pressure>;
     static constexpr bool in_packs = true;
@@ -30,22 +29,27 @@ struct Tait {
         const auto& material = a.material;
         const T ratio = a[density] / material.density;
         T terms = T(1); // 1 + r + ... + r^(gamma - 1)
-        for (int k = 1; k < gamma; ++k)
+        for (int k = 1; k < exponent; ++k)
             terms = T(1) + ratio * terms;
-        return (sq(material.sound_speed) / gamma) * (a[density] - material.density) * terms;
+        return (sq(material.sound_speed) / exponent) * (a[density] - material.density) * terms;
     }
 
     /// The density at a pressure p, Pa, above -rho_0 c^2/gamma: rho = rho_0 (1 + gamma p/(rho_0 c^2))^(1/gamma),
     /// kg/m^3.
     static double density_at(const auto& material, double p) {
-        const double stiffness = material.density * sq(material.sound_speed) / gamma;
-        return material.density * std::pow(1 + p / stiffness, 1.0 / gamma);
+        const double stiffness = material.density * sq(material.sound_speed) / exponent;
+        return material.density * std::pow(1 + p / stiffness, 1.0 / exponent);
     }
 
     static constexpr const char* limit_name = "sound";
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
+        static_assert(gamma >= 1, "imbibe: the exponent gamma of Tait must be a whole number from 1 on (7 for water)");
         return acoustic_time_step(material, in);
     }
+
+private:
+    // Where it is refused, 1 lets everything else compile, so that there is one error.
+    static constexpr int exponent = gamma >= 1 ? gamma : 1;
 };
 
 } // namespace imbibe

@@ -32,7 +32,6 @@ namespace imbibe {
 /// @tparam SlowTerm terms of the scene's phases and couplings
 template <class... SlowTerm>
 struct DualStepping {
-    static_assert(sizeof...(SlowTerm) > 0, "imbibe: DualStepping names no term to be evaluated once in a long step");
     /// The terms that are evaluated in long steps.
     using Slow = TypeList<SlowTerm...>;
     /// What is evaluated in a step, for reports: the slow terms in a long one, all others in each short one.
