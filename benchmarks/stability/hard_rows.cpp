@@ -33,10 +33,12 @@ void add_hard(Table& table) {
     add_walls<WeaklyCompressible>(table);
     add_walls<Unguarded>(table);
     add_walls<Riemann>(table);
+    add_walls<Paper>(table);
     table.rows.push_back(
         {"Hard", WeaklyCompressible::name, "drop along a wall", 0.01, drop_along_wall<WeaklyCompressible>});
     table.rows.push_back({"Hard", DamBreak::name, "drop along a wall", 0.01, drop_along_wall<DamBreak>});
     table.rows.push_back({"Hard", Riemann::name, "drop along a wall", 0.01, drop_along_wall<Riemann>});
+    table.rows.push_back({"Hard", Paper::name, "drop along a wall", 0.01, drop_along_wall<Paper>});
     table.rows.push_back({"Hard", Hookean::name, "rough sheet and thread", 0.2, thin_solids<Hookean>});
     table.rows.push_back({"Hard", "AntuonoDiffusion", "rough thread, drops", 0.3, thin_water});
     table.rows.push_back({"Hard", "two fluids", "layers, 1000 to 1", 1000, layers});
@@ -47,6 +49,7 @@ void add_hard(Table& table) {
     table.frontiers.push_back(
         {WeaklyCompressible::name, "floor with slots", "width, spacings", 0.1, 4, slotted_floor<WeaklyCompressible>});
     table.frontiers.push_back({Riemann::name, "floor with slots", "width, spacings", 0.1, 4, slotted_floor<Riemann>});
+    table.frontiers.push_back({Paper::name, "floor with slots", "width, spacings", 0.1, 4, slotted_floor<Paper>});
     add_pairs<WeaklyCompressible>(table);
     add_pairs<Narrow>(table);
     add_pairs<Riemann>(table);

@@ -219,7 +219,8 @@ TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays"
     const auto sum_of_earlier = sph::detail::checksum(earlier);
     earlier.append(reinterpret_cast<const char*>(&sum_of_earlier), sizeof sum_of_earlier);
     write_file(bad, earlier);
-    REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, bad), imbibe_test::contains("as a checkpoint of this version does"));
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, bad),
+                        imbibe_test::contains("as a checkpoint of this version does"));
     // A file that says it is longer than it is, with a checksum that fits.
     auto short_one = good.substr(0, good.size() - 8 - 1000);
     const auto sum = sph::detail::checksum(short_one);

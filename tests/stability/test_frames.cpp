@@ -24,15 +24,16 @@ struct Frame {
 
 /// Drop and elastic block, not symmetric about anything, that meet with 1 m/s under gravity. Returns positions and
 /// velocities, seen from the first frame.
-template <class Real = double>
+template <class Real = double, class C = SoundCoupling>
 MatrixXd meet(const Frame& frame) {
+    using Fluid = typename C::Fluid;
     const RowVector2d down = RowVector2d(0.3 * g, -g) * frame.turn.transpose();
-    CoupledScene<SoundCoupling, Real> scene({.gravity = {down[0], down[1]},
-                                             .support_radius = Fluid::support * dx,
-                                             .time_step = 4e-6,
-                                             .origin = frame.origin,
-                                             .threads = 1});
-    SoundCoupling::set(scene.template coupling<SoundCoupling::Contact>(), stability::water_of<Fluid>(30));
+    CoupledScene<C, Real> scene({.gravity = {down[0], down[1]},
+                                 .support_radius = Fluid::support * dx,
+                                 .time_step = 4e-6,
+                                 .origin = frame.origin,
+                                 .threads = 1});
+    C::set(scene.template coupling<typename C::Contact>(), stability::water_of<Fluid>(30));
     const auto placed = [&](double x, double y, double wide, double high) {
         std::vector<sph::Point<2>> points =
             sph::fill(sph::Box<2>{{x * dx, y * dx}, {(x + wide) * dx, (y + high) * dx}}, dx);
@@ -43,7 +44,7 @@ MatrixXd meet(const Frame& frame) {
         return points;
     };
     const auto water = add_water<Fluid>(scene, placed(0.3, 1, 7, 6), 30);
-    const auto block = add_body<SoundCoupling>(scene, placed(-2, -5, 9, 5), 1e6, 0.3, 950);
+    const auto block = add_body<C>(scene, placed(-2, -5, 9, 5), 1e6, 0.3, 950);
     const RowVector2d thrown = RowVector2d(0.4, -1) * frame.turn.transpose();
     auto w = scene[water];
     auto b = scene[block];
@@ -83,29 +84,32 @@ Matrix2d rows(double a, double b, double c, double d) {
 
 } // namespace
 
-TEST_CASE("An impact is the same in every frame", "[stability]") { // row 23
-    const MatrixXd home = meet({});
+TEMPLATE_TEST_CASE("An impact is the same in every frame", "[stability]", SoundCoupling, PaperCoupling) { // row 23
+    const auto seen = [](const Frame& frame) { return meet<double, TestType>(frame); };
+    const MatrixXd home = seen({});
     REQUIRE(home.allFinite());
     REQUIRE(home.col(3).maxCoeff() - home.col(3).minCoeff() > 0.1); // something happens
     // Round-off times steps: an error of epsilon in an offset of a spacing is one of c dt/dx epsilon in the velocity of
     // sound a step, and 30 m/s are 30 of the units of `home`.
     const double round_off = std::numeric_limits<double>::epsilon() * steps * 30;
     const double far = 16 * dx; // the offset of coordinates that loses 4 bits
-    CHECK(difference(meet({.turn = rows(0, -1, 1, 0)}), home) < round_off);
-    CHECK(difference(meet({.turn = rows(-1, 0, 0, 1)}), home) < round_off);
-    CHECK(difference(meet({.turn = rows(std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7))}), home) <
+    CHECK(difference(seen({.turn = rows(0, -1, 1, 0)}), home) < round_off);
+    CHECK(difference(seen({.turn = rows(-1, 0, 0, 1)}), home) < round_off);
+    CHECK(difference(seen({.turn = rows(std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7))}), home) <
           10 * round_off);
-    CHECK(difference(meet({.offset = {far, -far}}), home) < 16 * round_off);
-    CHECK(difference(meet({.boost = {3, 2}}), home) < 16 * round_off);
-    CHECK(difference(meet({.reversed = true}), home) < round_off);
+    CHECK(difference(seen({.offset = {far, -far}}), home) < 16 * round_off);
+    CHECK(difference(seen({.boost = {3, 2}}), home) < 16 * round_off);
+    CHECK(difference(seen({.reversed = true}), home) < round_off);
 }
 
-TEST_CASE("In float, an impact far away is the impact at home", "[stability]") { // row 15
+TEMPLATE_TEST_CASE("In float, an impact far away is the impact at home", "[stability]", SoundCoupling,
+                   PaperCoupling) { // row 15
+    const auto seen = [](const Frame& frame) { return meet<float, TestType>(frame); };
     const double far = 1e4 * 12 * dx; // ten thousand times as far as the scene is high
-    const MatrixXd home = meet<float>({});
+    const MatrixXd home = seen({});
     REQUIRE(home.allFinite());
-    const double with_origin = difference(meet<float>({.offset = {far, -far}, .origin = {far, -far}}), home);
-    const double without = difference(meet<float>({.offset = {far, -far}}), home);
+    const double with_origin = difference(seen({.offset = {far, -far}, .origin = {far, -far}}), home);
+    const double without = difference(seen({.offset = {far, -far}}), home);
     CAPTURE(with_origin, without);
     CHECK(with_origin < 1e-3);
     CHECK(without > 1e-3); // what the origin is for

@@ -3,11 +3,13 @@
 #include "stability/coupled.hpp"
 
 using namespace gauntlet;
+using stability::PaperCoupling;
 using stability::SoundCoupling;
 
 TEST_CASE("Water falls on an elastic plate", "[stability]") {
     check_preset(stability::water_on_plate<SoundCoupling>, 1);
     check_noticed(stability::water_on_plate<SoundCoupling>, 1);
+    check_noticed(stability::water_on_plate<PaperCoupling>, 1);
 }
 
 TEST_CASE("A block much lighter than water is let go on a pool", "[stability]") { // row 8

@@ -88,7 +88,9 @@ private:
         if constexpr (IsCoupling<Item>)
             return has_viscosity<typename Item::First>() || has_viscosity<typename Item::Second>();
         else
-            return requires(const Item& phase) { phase.viscosity; };
+            return requires(const Item& phase) {
+                phase.viscosity;
+            };
     }
     template <class Item, class T>
     static constexpr bool check_term() {
