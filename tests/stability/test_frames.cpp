@@ -26,14 +26,14 @@ struct Frame {
 /// velocities, seen from the first frame.
 template <class Real = double, class C = SoundCoupling>
 MatrixXd meet(const Frame& frame) {
-    using Fluid = typename C::Fluid;
+    using Of = typename C::Fluid;
     const RowVector2d down = RowVector2d(0.3 * g, -g) * frame.turn.transpose();
     CoupledScene<C, Real> scene({.gravity = {down[0], down[1]},
-                                 .support_radius = Fluid::support * dx,
+                                 .support_radius = Of::support * dx,
                                  .time_step = 4e-6,
                                  .origin = frame.origin,
                                  .threads = 1});
-    C::set(scene.template coupling<typename C::Contact>(), stability::water_of<Fluid>(30));
+    C::set(scene.template coupling<typename C::Contact>(), stability::water_of<Of>(30));
     const auto placed = [&](double x, double y, double wide, double high) {
         std::vector<sph::Point<2>> points =
             sph::fill(sph::Box<2>{{x * dx, y * dx}, {(x + wide) * dx, (y + high) * dx}}, dx);
@@ -43,7 +43,7 @@ MatrixXd meet(const Frame& frame) {
             std::reverse(points.begin(), points.end());
         return points;
     };
-    const auto water = add_water<Fluid>(scene, placed(0.3, 1, 7, 6), 30);
+    const auto water = add_water<Of>(scene, placed(0.3, 1, 7, 6), 30);
     const auto block = add_body<C>(scene, placed(-2, -5, 9, 5), 1e6, 0.3, 950);
     const RowVector2d thrown = RowVector2d(0.4, -1) * frame.turn.transpose();
     auto w = scene[water];
