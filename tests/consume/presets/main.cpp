@@ -1,6 +1,7 @@
 // A program that takes the scenes of two presets from the library imbibe::presets instead of compiling them: water that
 // is out of reach of sponge and walls falls as everything does.
 #include <imbibe/presets/sound_sponge.hpp>
+#include <imbibe/solver/describe.hpp>
 
 #include <cmath>
 #include <cstdio>
