@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
     std::vector<std::string> axes;
     bool quick = false, combine = false;
     std::optional<std::size_t> row_alone;
+    std::optional<int> repetitions;
     CLI::App app{"What accuracy costs in time: a scene with a reference over spacings, schemes, supports and steps."};
     std::vector<std::string> names;
     for (const auto& [known, run] : cases)
@@ -57,6 +58,8 @@ int main(int argc, char** argv) {
     app.add_option("--axis", axes, "choices in place of those of the case: \"NAME=ONE;ANOTHER\"; once for each axis")
         ->allow_extra_args(false);
     app.add_flag("--combine", combine, "every combination, not one choice at a time");
+    app.add_option("--repeat", repetitions, "runs of each choice, where a case jitters its start: the error bars")
+        ->check(CLI::Range(1, 1000));
     app.add_option("--row", row_alone, "this row of the table alone, counted from 0, without repetitions");
     CLI11_PARSE(app, argc, argv);
 
@@ -65,6 +68,8 @@ int main(int argc, char** argv) {
         study.only(*row_alone);
     if (combine)
         study.combine();
+    if (repetitions)
+        study.repeat_instead(*repetitions);
     study.progress([](const cost::accuracy::Choices& choices, std::size_t done, std::size_t of) {
         std::printf("%3zu of %zu:", done + 1, of);
         for (const auto& [axis, value] : choices.all())

@@ -46,14 +46,18 @@ struct Front {
 };
 
 template <class Water, class Real = double, class Integrator = sph::SymplecticEuler>
-Front collapse(double across, double support, double cfl) {
+Front collapse(double across, double support, double cfl, int repetition = 0) {
     const double spacing = L / across;
     sph::Solver<2, Real, Integrator, Water, Tank, Sides<Water>> scene(
         {.gravity = {0, -g}, .support_radius = support * spacing, .cfl = cfl, .threads = 1});
     Water material{{.density = 1000, .sound_speed = 20 * std::sqrt(2 * g * L)}}; // ten times that of the front
     if constexpr (!std::is_same_v<Water, Riemann>)
         material.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
-    const auto water = scene.add(material, sph::fill(sph::Box<2>{{0, 0}, {L, 2 * L}}, spacing), spacing);
+    // From the second repetition on the particles are off their lattice by up to a twentieth of a spacing.
+    const auto water = scene.add(material,
+                                 sph::jitter(sph::fill(sph::Box<2>{{0, 0}, {L, 2 * L}}, spacing),
+                                             repetition > 0 ? 0.05 * spacing : 0, static_cast<unsigned>(repetition)),
+                                 spacing);
     scene.add(Tank{{.density = 1000}},
               sph::tank(sph::Box<2>{{0, 0}, {4 * L, 2.4 * L}}, spacing, static_cast<int>(std::ceil(support)),
                         sph::Sides::y_high),
@@ -70,7 +74,8 @@ Front collapse(double across, double support, double cfl) {
 
 template <class Water, class Real = double, class Integrator = sph::SymplecticEuler>
 Front chosen(const accuracy::Choices& choose) {
-    return collapse<Water, Real, Integrator>(choose.number("across"), choose.number("support"), choose.number("cfl"));
+    return collapse<Water, Real, Integrator>(choose.number("across"), choose.number("support"), choose.number("cfl"),
+                                             choose.repetition);
 }
 
 const Methods<Front> methods("method", {{"delta-SPH", chosen<Diffusive>},

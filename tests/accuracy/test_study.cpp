@@ -100,6 +100,15 @@ TEST_CASE("A study runs one of its rows alone, and that once", "[accuracy]") {
         return {choices.number("n")};
     });
     CHECK(seen == std::vector<std::string>{"2 a "});
+    seen.clear();
+    accuracy::Study often;
+    often.repeat_instead(2).axis("n", {"1"}).repeat(5);
+    often.run([&](const accuracy::Choices& choices) -> accuracy::Outcome {
+        seen.push_back(words(choices) + std::to_string(choices.repetition));
+        return {0};
+    });
+    CHECK(seen == std::vector<std::string>{"1 0", "1 1"});
+    CHECK_THROWS_WITH(often.repeat_instead(0), contains("0 repetitions; it must be at least 1"));
     REQUIRE(rows.size() == 1);
     CHECK(rows[0].error == 2);
     study.only(4);

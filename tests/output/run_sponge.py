@@ -152,6 +152,16 @@ def check_stopped_by_its_guard(folder):
     check(code == 0 and (folder / "finished.txt").exists(), "--overwrite:", code, said)
 
 
+def check_accuracy(folder):
+    """What a word for the accuracy is to cost and to bring is said before the run."""
+    code, said = run("--accuracy", "draft", "--strip", "--pool", 7, "--end", 1e-4, "--snapshots", 0, "--threads", 1,
+                     "--output", folder, tools=False)
+    check(code == 0, "--accuracy draft:", code, said)
+    before = said[:said.index("100.0 %")]
+    for words in ("draft", "16 %", "that of the finest run", "Expected wall time"):
+        check(words in before, f"--accuracy draft does not say '{words}' before it runs:", said)
+
+
 def check_full_disk(folder):
     """A disk that takes no more ends a run in a clear word, and what was there before stays: the run can go on."""
     common = ["--quick", "--snapshots", 0, "--threads", 1, "--output", folder]
@@ -270,6 +280,7 @@ with tempfile.TemporaryDirectory() as name:
     check_finished_run_is_replaced(root / "run")
     check_stopped_by_its_guard(root / "stopped")
     check_full_disk(root / "full")
+    check_accuracy(root / "draft")
     check_advice_of_the_paper(root / "paper")
     check_ctrl_c(root / "interrupted")
     check_study(root / "study")

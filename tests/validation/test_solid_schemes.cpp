@@ -238,8 +238,10 @@ TEST_CASE("With its bending modulus the beam of Turek and Hron hangs as far as t
     CHECK(sph::bending_modulus(2, 5) == Approx(2 / 0.96));
     CHECK_THROWS_AS(sph::bending_modulus(2, 1), sph::Error);
     const sph::Point<2> reference(-7.18777e-3, -66.1029e-3);
-    const sph::Point<2> tip = validation::turek_hron::hang(4, sph::bending_modulus(1.4e6, 4));
-    CAPTURE(tip[0], tip[1], tip[0] / reference[0] - 1, tip[1] / reference[1] - 1);
-    CHECK(std::abs(tip[0] / reference[0] - 1) < 0.03);
-    CHECK(std::abs(tip[1] / reference[1] - 1) < 0.03);
+    for (const int across : {4, 5}) { // 5, in which its length does not fit, is what was asked for
+        const sph::Point<2> tip = validation::turek_hron::hang(across, sph::bending_modulus(1.4e6, across));
+        CAPTURE(across, tip[0], tip[1], tip[0] / reference[0] - 1, tip[1] / reference[1] - 1);
+        CHECK(std::abs(tip[0] / reference[0] - 1) < 0.03);
+        CHECK(std::abs(tip[1] / reference[1] - 1) < 0.03);
+    }
 }

@@ -148,8 +148,12 @@ public:
     /// Runs every choice so often, with another `Choices::repetition` each time: the error bars, where a case uses it
     /// to jitter its start.
     Study& repeat(int times) {
-        require(times >= 1, "accuracy: ", times, " repetitions; it must be at least 1");
-        repetitions_ = times;
+        repetitions_ = repetitions(times);
+        return *this;
+    }
+    /// So often in place of what `repeat` asks for, before or after: for a program whose user chooses.
+    Study& repeat_instead(int times) {
+        repetitions_instead_ = repetitions(times);
         return *this;
     }
     /// Runs nothing but the row of this number, counted from 0, and that once: for what measures single runs from outside
@@ -203,9 +207,14 @@ private:
     Axes axes_, instead_; // as they were added, and what is to be taken in their place
     bool combined_ = false;
     int repetitions_ = 1;
+    std::optional<int> repetitions_instead_;
     std::optional<std::size_t> only_;
     std::function<void(const Choices&, std::size_t, std::size_t)> tell_;
 
+    static int repetitions(int times) {
+        require(times >= 1, "accuracy: ", times, " repetitions; it must be at least 1");
+        return times;
+    }
     Axes chosen() const {
         Axes all = axes_;
         for (const auto& [replaced, others] : instead_)
@@ -279,14 +288,14 @@ private:
     Row measure(const Choices& choices, const Case& what) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         Row row{choices, 0, infinity, 0, infinity, 0, false, {}};
-        const int repetitions = only_ ? 1 : repetitions_;
-        for (int k = 0; k < repetitions; ++k) {
+        const int times = only_ ? 1 : repetitions_instead_.value_or(repetitions_);
+        for (int k = 0; k < times; ++k) {
             Choices mine = choices;
             mine.repetition = k;
             const std::clock_t begin = std::clock(); // of the processor: other programs on the machine do not count
             const Outcome outcome = outcome_of(what, mine, row.failure);
             row.seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-            row.error += outcome.error / repetitions;
+            row.error += outcome.error / times;
             row.least_error = std::min(row.least_error, outcome.error);
             row.greatest_error = std::max(row.greatest_error, outcome.error);
             row.pair_evaluations = std::max(row.pair_evaluations, outcome.pair_evaluations);

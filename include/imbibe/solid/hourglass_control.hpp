@@ -31,7 +31,8 @@ struct HourglassControlParameters {
 ///
 /// For every total-Lagrangian solid that bends, is hit or is thin.
 ///
-/// Not a damping: it stores energy. It is second order in the spacing, but with a coarse solid it adds stiffness.
+/// Not a damping: it stores energy. It is second order in the spacing, but with a coarse solid it adds stiffness: not
+/// where a plate of few layers must bend by the last percent. Not beside PairwiseShearForce, which has no such motions.
 ///
 /// Source: Ganzenmueller (2015), with alpha = 0.1.
 template <class Kernel = WendlandC2>
