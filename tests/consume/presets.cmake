@@ -5,8 +5,9 @@ include(${CMAKE_CURRENT_LIST_DIR}/compile.cmake)
 
 # check_without_scene(<object of the program> <what has the scene>)
 function(check_without_scene object scene)
-    execute_process(COMMAND ${COMPILER} ${FLAGS} ${THREADS} ${object} -o ${FOLDER}/alone RESULT_VARIABLE result ERROR_VARIABLE errors)
-    if(result EQUAL 0 OR NOT errors MATCHES "Solver.*(take|prepare)")
+    execute_process(COMMAND ${COMPILER} ${FLAGS} ${THREADS} ${object} -o ${FOLDER}/alone
+        RESULT_VARIABLE result ERROR_VARIABLE errors)
+    if(result EQUAL 0 OR NOT errors MATCHES "Solver.*::add")
         message(FATAL_ERROR "without ${scene} the program should lack the functions of the scene: ${result}\n${errors}")
     endif()
     compile(${THREADS} ${object} ${scene} -o ${FOLDER}/program)
