@@ -13,7 +13,7 @@ TEST_CASE("Water falls on an elastic plate", "[stability]") {
 }
 
 TEST_CASE("A block much lighter than water is let go on a pool", "[stability]") { // row 8
-    for (const double density : {0.1, 0.05})
+    for (const double density : {0.1, 0.05, 0.02}) // 0.05 is asked for; docs/stability.md goes to 0.002
         check_preset(stability::light_block<SoundCoupling>, density);
 }
 
