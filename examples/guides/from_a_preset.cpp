@@ -10,6 +10,7 @@
 #include <imbibe/presets/sound_water.hpp>
 #include <imbibe/solver/describe.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace sph = imbibe;

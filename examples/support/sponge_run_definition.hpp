@@ -7,7 +7,6 @@
 
 #include <imbibe/imbibe.hpp>
 #include <imbibe/output/recover.hpp>
-#include <imbibe/presets/compiled_scene.hpp>
 
 #include <csignal>
 #include <unistd.h>
