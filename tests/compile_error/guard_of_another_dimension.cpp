@@ -1,5 +1,7 @@
 // A guard made for space in a scene of the plane.
-// expect: a Guard is of its scene's dimension
+// expect: GuardOfAnotherDimension
+// expect: a Guard is of its scene's dimension: replace the first by the second
+// expect: Guard<3>
 #include "scene.hpp"
 
 #include <imbibe/monitor/guard.hpp>

@@ -1,5 +1,8 @@
 // A phase that starts with the pressure of its own weight, but has no equation of state that says its density there.
+// expect: NoDensityAtAPressure
 // expect: no term of this phase says its density at a pressure
+// expect: Dust
+// expect: add_an_equation_of_state_with_density_at_such_as_Tait
 #include "scene.hpp"
 
 #include <imbibe/state/hydrostatic.hpp>

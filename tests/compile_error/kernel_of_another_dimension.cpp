@@ -1,6 +1,8 @@
 // The paper's viscosity kernel of space, in the plane.
-// expect: ViscosityKernel is the kernel of 3 dimensions, its Laplacian elsewhere is another
-// expect: in 2 dimensions use ViscosityKernel2D
+// expect: KernelOfAnotherDimension
+// expect: this kernel is not one of this dimension
+// expect: ViscosityKernel
+// expect: use_ViscosityKernel2D_in_the_plane
 #include "scene.hpp"
 
 #include <imbibe/fluid/laminar_viscosity.hpp>

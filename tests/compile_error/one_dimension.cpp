@@ -1,5 +1,6 @@
 // A scene on a line.
-// expect: a scene has 2 or 3 dimensions
+// expect: NotTwoOrThreeDimensions
+// expect: a scene or a shape has 2 or 3 dimensions
 #include "scene.hpp"
 
 #include <imbibe/kernels/cubic_spline.hpp>

@@ -54,7 +54,6 @@ struct viscous_force;       ///< that of the physical viscosity
 struct density_diffusion;   ///< what smooths the density over the neighbours
 struct velocity_gradient;   ///< the gradient that rates of stress are made of
 struct stress_rate;         ///< the rate of the deviatoric stress
-struct elastic_force;       ///< that of a total-Lagrangian stress
 } // namespace effects
 
 namespace rules {
@@ -62,6 +61,12 @@ namespace rules {
 template <class Given>
 struct NotAKernel {
     static_assert(sizeof(Given) == 0, "imbibe: a term is given this where it takes a kernel, such as WendlandC2");
+};
+/// Rule: a kernel that has a cubic_slope c has a derivative of the form w'(q)/q = -c (1 - q)^3.
+template <class Kernel>
+struct CubicSlopeOfAnotherForm {
+    static_assert(sizeof(Kernel) == 0, "imbibe: a kernel's cubic_slope must be above 0, and its derivative_over_q(q) "
+                                       "equal to -cubic_slope (1 - q)^3");
 };
 } // namespace rules
 
@@ -154,9 +159,8 @@ struct Pair {
             return not_a_kernel<Kernel>();
         else if constexpr (requires { Kernel::cubic_slope; }) {
             // -c (1 - r/H)^3 = (k r/H - k)^3 with k^3 = c: so c takes no multiplication in the pair loop.
-            static_assert(Kernel::cubic_slope > 0 && Kernel::derivative_over_q(0.0) == -Kernel::cubic_slope,
-                          "imbibe: a kernel's cubic_slope must be above 0, and its derivative_over_q(q) equal to "
-                          "-cubic_slope (1 - q)^3");
+            if constexpr (!(Kernel::cubic_slope > 0 && Kernel::derivative_over_q(0.0) == -Kernel::cubic_slope))
+                detail::break_rule<rules::CubicSlopeOfAnotherForm<Kernel>>();
             constexpr double root = cube_root(Kernel::cubic_slope * factor<Kernel>);
             const T k = T(root) * inverse_support * power<dim - 1>(inverse_support_cube_root);
             return power<3>(negative_part(distance * (k * inverse_support) - k));

@@ -14,7 +14,7 @@ namespace imbibe {
 /// on it is the business of fill(), not of the box.
 template <int dim>
 class Box {
-    static_assert(dim == 2 || dim == 3, "imbibe::Box<dim>: dim must be 2 or 3");
+    static_assert(detail::check_dimension<dim>() || true); // it says by itself what is wrong, once
 
 public:
     /// The box between two corners. Throws Error if a coordinate is not finite or a side is not longer than zero.

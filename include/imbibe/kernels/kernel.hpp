@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include <imbibe/core/pack_functions.hpp>
+#include <imbibe/core/rule.hpp>
 
 namespace imbibe {
 
@@ -64,6 +65,14 @@ template <class K>
 concept HasLaplacian = Kernel<K> && requires(double q) {
     { K::laplacian(q) } -> std::same_as<double>;
 };
+
+namespace rules {
+/// Rule: a kernel is one of the dimensions that it is made for.
+template <class Kernel, class Dimension, class Advice>
+struct KernelOfAnotherDimension {
+    static_assert(sizeof(Kernel) == 0, "imbibe: this kernel is not one of this dimension");
+};
+} // namespace rules
 
 namespace detail {
 

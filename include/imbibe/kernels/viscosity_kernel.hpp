@@ -9,6 +9,10 @@
 
 namespace imbibe {
 
+// Advice, printed as a template argument.
+struct use_ViscosityKernel2D_in_the_plane;
+struct use_ViscosityKernel_in_space;
+
 namespace detail {
 
 /// Below this part of the support radius the value and the derivative of a viscosity kernel stay what they are
@@ -55,8 +59,9 @@ struct ViscosityKernel {
     /// 15/(2 pi), in 3 dimensions only.
     template <int dim>
     static constexpr double normalisation() {
-        static_assert(dim == 3, "imbibe: ViscosityKernel is the kernel of 3 dimensions, its Laplacian elsewhere is "
-                                "another; in 2 dimensions use ViscosityKernel2D");
+        if constexpr (dim != 3) // its Laplacian is another there
+            detail::break_rule<rules::KernelOfAnotherDimension<ViscosityKernel, std::integral_constant<int, dim>,
+                                                               use_ViscosityKernel2D_in_the_plane>>();
         return 15 / (2 * std::numbers::pi);
     }
     /// w(q) = (1 - q)^3 (1 + q) / (2 q)
@@ -94,8 +99,9 @@ struct ViscosityKernel2D {
     /// 20/(3 pi), in 2 dimensions only.
     template <int dim>
     static constexpr double normalisation() {
-        static_assert(dim == 2, "imbibe: ViscosityKernel2D is the kernel of 2 dimensions, its Laplacian elsewhere is "
-                                "another; in 3 dimensions use ViscosityKernel");
+        if constexpr (dim != 2)
+            detail::break_rule<rules::KernelOfAnotherDimension<ViscosityKernel2D, std::integral_constant<int, dim>,
+                                                               use_ViscosityKernel_in_space>>();
         return 20 / (3 * std::numbers::pi);
     }
     /// w(q) = 3/2 q^2 - 2/3 q^3 - ln q - 5/6

@@ -7,13 +7,17 @@
 
 namespace imbibe {
 
+// Advice, printed as a template argument.
+struct use_CubicSpline_or_QuinticSpline_on_a_line;
+
 namespace detail {
 
 /// The constant of a kernel that is meant for the plane and for space only.
-template <int dim>
+template <class Kernel, int dim>
 constexpr double for_plane_or_space(double plane, double space) {
-    static_assert(dim == 2 || dim == 3, "imbibe: the Wendland kernels here are those of 2 and 3 dimensions; "
-                                        "in 1 dimension use CubicSpline or QuinticSpline");
+    if constexpr (dim == 1)
+        break_rule<rules::KernelOfAnotherDimension<Kernel, std::integral_constant<int, dim>,
+                                                   use_CubicSpline_or_QuinticSpline_on_a_line>>();
     return for_dimension<dim>(0, plane, space);
 }
 
@@ -33,7 +37,7 @@ struct WendlandC2 {
     /// 7/pi, 21/(2 pi) in 2, 3 dimensions.
     template <int dim>
     static constexpr double normalisation() {
-        return detail::for_plane_or_space<dim>(7 / std::numbers::pi, 21 / (2 * std::numbers::pi));
+        return detail::for_plane_or_space<WendlandC2, dim>(7 / std::numbers::pi, 21 / (2 * std::numbers::pi));
     }
     /// w(q) = (1 - q)^4 (1 + 4 q)
     template <class T>
@@ -66,7 +70,7 @@ struct WendlandC4 {
     /// 9/pi, 495/(32 pi) in 2, 3 dimensions.
     template <int dim>
     static constexpr double normalisation() {
-        return detail::for_plane_or_space<dim>(9 / std::numbers::pi, 495 / (32 * std::numbers::pi));
+        return detail::for_plane_or_space<WendlandC4, dim>(9 / std::numbers::pi, 495 / (32 * std::numbers::pi));
     }
     /// w(q) = (1 - q)^6 (1 + 6 q + 35/3 q^2)
     template <class T>
@@ -97,7 +101,7 @@ struct WendlandC6 {
     /// 78/(7 pi), 1365/(64 pi) in 2, 3 dimensions.
     template <int dim>
     static constexpr double normalisation() {
-        return detail::for_plane_or_space<dim>(78 / (7 * std::numbers::pi), 1365 / (64 * std::numbers::pi));
+        return detail::for_plane_or_space<WendlandC6, dim>(78 / (7 * std::numbers::pi), 1365 / (64 * std::numbers::pi));
     }
     /// w(q) = (1 - q)^8 (1 + 8 q + 25 q^2 + 32 q^3)
     template <class T>

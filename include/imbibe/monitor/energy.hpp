@@ -7,6 +7,17 @@
 
 namespace imbibe {
 
+// Advice, printed as a template argument.
+struct list_a_law_with_stored_energy_such_as_NeoHookean;
+
+namespace rules {
+/// Rule: the elastic energy is that of a phase with a law that says what a deformation stores.
+template <class Phase, class Advice>
+struct NoStoredEnergy {
+    static_assert(sizeof(Phase) == 0, "imbibe: elastic_energy: no term of this phase has a stored_energy");
+};
+} // namespace rules
+
 namespace detail {
 /// sum over the particles of f(i), in double and in the order of storage.
 template <class View, class F>
@@ -115,8 +126,8 @@ double shear_energy(const View& phase) {
 template <int dim, class View>
 double elastic_energy(const View& phase) {
     using Solid = std::remove_cvref_t<decltype(phase.material())>;
-    static_assert(detail::has_stored_energy<dim, Solid, typename Solid::terms>,
-                  "elastic_energy: no term of this phase has a stored_energy");
+    if constexpr (!detail::has_stored_energy<dim, Solid, typename Solid::terms>)
+        detail::break_rule<rules::NoStoredEnergy<Solid, list_a_law_with_stored_energy_such_as_NeoHookean>>();
     return detail::sum_over_deformations<dim>(phase, [&](const Tensor<double, dim>& F) {
         return detail::stored_energy<dim>(phase.material(), F, typename Solid::terms{});
     });

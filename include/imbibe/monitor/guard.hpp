@@ -13,6 +13,14 @@
 
 namespace imbibe {
 
+namespace rules {
+/// Rule: a guard is of its scene's dimension.
+template <class Given, class Needed>
+struct GuardOfAnotherDimension {
+    static_assert(sizeof(Given) == 0, "imbibe: a Guard is of its scene's dimension: replace the first by the second");
+};
+} // namespace rules
+
 /// An observer for `run_until` that throws Diverged where the scene is out of its bounds. Without one nothing of this
 /// is computed.
 template <int dim>
@@ -42,8 +50,9 @@ public:
 private:
     template <class Scene>
     void look_at_particles(const Scene& scene) {
-        static_assert(Scene::dimension == dim, "imbibe: a Guard is of its scene's dimension");
-        if constexpr (Scene::dimension == dim) { // else one error is enough
+        if constexpr (Scene::dimension != dim) {
+            detail::break_rule<rules::GuardOfAnotherDimension<Guard, Guard<Scene::dimension>>>();
+        } else {
             scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
                 look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene), P::moves);
             });

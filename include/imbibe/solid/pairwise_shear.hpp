@@ -59,7 +59,7 @@ struct PairwiseShearForceParameters {
 /// program SPHinXsys; there J^(-2/d) and tr(F F^T)/d in d dimensions, here plane strain in 2D.
 template <class Kernel = WendlandC2>
 struct PairwiseShearForce {
-    using effect = effects::elastic_force;
+    using effect = effects::pressure_force;
     static constexpr bool of_solids = true;
     using Parameters = PairwiseShearForceParameters;
 

@@ -28,7 +28,7 @@ inline constexpr CorrectedPiolaStress corrected_piola_stress{};
 /// Source: Bonet and Kulasegaram (2002); Vignjevic, Reveles and Campbell (2006); Ganzenmueller (2015).
 template <class Kernel = WendlandC2>
 struct TotalLagrangianForce {
-    using effect = effects::elastic_force;
+    using effect = effects::pressure_force;
     using corrected_kernel = Kernel;
     struct Prepare {
         using reads = Fields<first_piola_stress, gradient_correction>;

@@ -371,6 +371,15 @@ struct Composition {
 
 namespace detail {
 
+/// True, or a compile error that names the broken rule: is the second argument of a solver the type of its numbers?
+template <class Real>
+constexpr bool check_numbers() {
+    if constexpr (!std::is_same_v<Real, float> && !std::is_same_v<Real, double>)
+        return break_rule<rules::NotRealNumbers<Real, write_float_or_double>>();
+    else
+        return true;
+}
+
 /// True, or a compile error that names the broken rule: is the third argument of a solver an integrator, and does the
 /// scene keep its rules?
 template <class Integrator, class Scene>

@@ -27,6 +27,8 @@ struct write_time_step_limit_of_the_material_and_TimeStepInput_with_a_limit_name
 struct couple_two_different_phases;
 struct list_the_phase_in_the_solver;
 struct list_the_coupling_in_the_solver;
+struct list_a_term_that_uses_it_or_look_at_another;
+struct write_float_or_double;
 struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
 struct list_it_in_a_phase_or_coupling_or_do_not_name_it;
@@ -141,6 +143,16 @@ struct AddsToAState {
 template <class Term, class Advice>
 struct LimitNotUsable {
     static_assert(never<Term>, "imbibe: this term's limit on the step has no name, or cannot be called");
+};
+/// Rule: a field is looked at where a term of the phase uses it.
+template <class Field, class Phase, class Advice>
+struct FieldNotStored {
+    static_assert(never<Field>, "imbibe: no term of this phase uses this field, so it is not stored");
+};
+/// Rule: the second argument of a solver is the type of its numbers.
+template <class Given, class Advice>
+struct NotRealNumbers {
+    static_assert(never<Given>, "imbibe: the numbers of a scene are float or double");
 };
 /// Rule: the third argument of a solver is its integrator.
 template <class Given, class Advice>

@@ -29,10 +29,10 @@ class IMBIBE_PER_BUILD Solver {
 public:
     /// What the compiler worked out: fields, rows, plans.
     using Scene = Composition<dim, Items...>;
-    static_assert(dim == 2 || dim == 3, "imbibe: a scene has 2 or 3 dimensions");
-    static_assert(std::is_same_v<Real_, float> || std::is_same_v<Real_, double>,
-                  "imbibe: the numbers of a scene are float or double");
-    static_assert(detail::check_scene<Integrator_, Scene>() || true); // it says by itself what is wrong, once
+    // Each says by itself what is wrong, once.
+    static_assert(detail::check_dimension<dim>() || true);
+    static_assert(detail::check_numbers<Real_>() || true);
+    static_assert(detail::check_scene<Integrator_, Scene>() || true);
 
     /// The type of all stored numbers.
     using Real = Real_;

@@ -6,6 +6,7 @@
 #include <imbibe/search/neighbours.hpp>
 #include <imbibe/solver/composition.hpp>
 #include <imbibe/solver/loops.hpp>
+#include <imbibe/solver/rules.hpp>
 
 #include <Eigen/Core>
 
@@ -58,15 +59,20 @@ public:
         return column(offset<F>);
     }
     template <class F>
+    static constexpr void check_stored() {
+        if constexpr (!stores<F>)
+            break_rule<rules::FieldNotStored<F, P, list_a_term_that_uses_it_or_look_at_another>>();
+    }
+    template <class F>
     auto view(F) {
-        static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
+        check_stored<F>();
         constexpr int columns = components(F::rank, dim);
         return FieldView<FieldValues<Real, columns>>(field(F{}), n, columns,
                                                      Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
     }
     template <class F>
     auto view(F) const {
-        static_assert(contains<F, List>, "imbibe: no term of this phase uses this field, so it is not stored");
+        check_stored<F>();
         constexpr int columns = components(F::rank, dim);
         return FieldView<const FieldValues<Real, columns>>(field(F{}), n, columns,
                                                            Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));

@@ -4,20 +4,32 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/fields.hpp>
 #include <imbibe/core/phase.hpp>
+#include <imbibe/core/rule.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace imbibe {
 
+// Advice, printed as a template argument.
+struct add_an_equation_of_state_with_density_at_such_as_Tait;
+
+namespace rules {
+/// Rule: a phase that starts with the pressure of its own weight has a term that says its density at a pressure.
+template <class Phase, class Advice>
+struct NoDensityAtAPressure {
+    static_assert(sizeof(Phase) == 0,
+                  "imbibe: start_hydrostatic: no term of this phase says its density at a pressure");
+};
+} // namespace rules
+
 namespace detail {
 
 // The density at which a material has a pressure, kg/m^3, as the one of its terms says that is an equation of state.
 template <class Material, class... Terms>
 double density_at(const Material& material, double p, TypeList<Terms...>) {
-    static_assert((requires { Terms::density_at(material, p); } || ...),
-                  "imbibe: start_hydrostatic: no term of this phase says its density at a pressure (density_at), as "
-                  "LinearState and Tait do");
+    if constexpr (!(requires { Terms::density_at(material, p); } || ...))
+        break_rule<rules::NoDensityAtAPressure<Material, add_an_equation_of_state_with_density_at_such_as_Tait>>();
     double found = 0;
     const auto ask = [&]<class Term>(std::type_identity<Term>) {
         if constexpr (requires { Term::density_at(material, p); })

@@ -7,6 +7,17 @@
 
 namespace imbibe {
 
+// Advice, printed as a template argument.
+struct give_it_a_whole_number_from_1_on_such_as_7_of_water;
+
+namespace rules {
+/// Rule: an equation of state has an exponent by which the pressure grows with the density.
+template <class Equation, class Advice>
+struct ExponentBelowOne {
+    static_assert(sizeof(Equation) == 0, "imbibe: the exponent of this equation of state is below 1");
+};
+} // namespace rules
+
 /// p = rho_0 c^2 / gamma ((rho/rho_0)^gamma - 1), in Pa.
 ///
 /// A liquid that is made compressible on purpose: with a sound speed c of ten times the greatest speed its density
@@ -44,7 +55,8 @@ struct Tait {
     static constexpr const char* limit_name = "sound";
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         // Not in the class: clang++ 14 would take a class that fails there for none of a term's, a second error.
-        static_assert(gamma >= 1, "imbibe: the exponent gamma of Tait must be a whole number from 1 on (7 for water)");
+        if constexpr (gamma < 1)
+            detail::break_rule<rules::ExponentBelowOne<Tait, give_it_a_whole_number_from_1_on_such_as_7_of_water>>();
         return acoustic_time_step(material, in);
     }
 
