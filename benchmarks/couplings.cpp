@@ -6,9 +6,11 @@
 //   build-benchmark/benchmarks/couplings gate               water pushes a rubber gate open
 //   build-benchmark/benchmarks/couplings sponge             one row of pores of the paper's sponge, an hour
 //   build-benchmark/benchmarks/couplings sponge --only "extrapolated pressure" --vary support
+//   build-benchmark/benchmarks/couplings plate --vary step  how long steps can be: bisected, for each coupling
 #include "couplings/gate.hpp"
 #include "couplings/plate.hpp"
 #include "couplings/sponge.hpp"
+#include "support/largest_stable.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -46,7 +48,7 @@ SceneToRun scene_by(const std::string& name) {
     if (name == "plate")
         return {
             each(All{}, []<class Kit>(std::type_identity<Kit>, const Numerics& n) { return plate::run_with<Kit>(n); }),
-            {0.02, 2.6},
+            {0.02, 2.6, 0.4},
             {0.02, 0.025, 0.0125, 0.01},
             {2.6, 2, 2.3, 3},
             plate::end,
@@ -54,13 +56,13 @@ SceneToRun scene_by(const std::string& name) {
     if (name == "gate")
         return {
             each(All{}, []<class Kit>(std::type_identity<Kit>, const Numerics& n) { return gate::run_with<Kit>(n); }),
-            {1e-3, 2.6},
+            {1e-3, 2.6, 0.4},
             {1e-3, 5e-3 / 3, 1.25e-3, 5e-3 / 6},
             {2.6, 2, 2.3, 3},
             gate::end,
             "greatest way aside [mm]"};
     return {each(All{}, []<class Kit>(std::type_identity<Kit>, const Numerics& n) { return sponge::run_with<Kit>(n); }),
-            {0.7e-3, 2.6},
+            {0.7e-3, 2.6, sph::presets::SpongeCase{}.cfl},
             {0.7e-3, 1e-3, 0.875e-3, 0.5e-3},
             {2.5, 2.75, 3, 3.25}, // twice the 1, 1.1, 1.2, 1.3 mm of the paper over its 0.8 mm
             sponge::end,
@@ -115,6 +117,44 @@ void write_curves(const std::filesystem::path& path, const std::vector<std::stri
     }
 }
 
+/// Bisects the CFL number with which each coupling still carries the scene to its end, its value within 5 % of that
+/// with the usual one, and prints a table.
+void print_edges(const std::string& name, const SceneToRun& scene, const std::string& only) {
+    constexpr double allowed = 0.05, lowest = 0.1, highest = 2; // 2: more the settings do not take
+    std::printf("\n%s, how long steps can be\n\n| coupling | greatest CFL number | mean step there [us] | with %g [us] "
+                "| what limits the step | beyond |\n|---|---|---|---|---|---|\n",
+                name.c_str(), scene.usual.cfl);
+    for (const Named& contact : scene.contacts) {
+        if (!only.empty() && only != contact.name)
+            continue;
+        const Outcome usual = contact.run(scene.usual);
+        if (!usual.failure.empty()) {
+            std::printf("| %s | - | - | - | - | breaks off with %g: %s |\n", contact.name.c_str(), scene.usual.cfl,
+                        usual.failure.c_str());
+            continue;
+        }
+        double step = 0, least_failed = std::numeric_limits<double>::infinity();
+        std::string beyond = "-";
+        const double largest = sph::bench::largest_stable(lowest, 0.5 * highest, highest, [&](double cfl) {
+            Numerics longer = scene.usual;
+            longer.cfl = cfl;
+            const Outcome outcome = contact.run(longer);
+            const double off = outcome.value / usual.value - 1;
+            const bool stable = outcome.failure.empty() && std::abs(off) <= allowed;
+            if (stable) {
+                step = std::max(step, outcome.step);
+            } else if (cfl < least_failed) {
+                least_failed = cfl;
+                beyond = outcome.failure.empty() ? sph::text(100 * off, " % off") : outcome.failure;
+            }
+            return stable;
+        });
+        std::printf("| %s | %.2g | %.3g | %.3g | %s | %s |\n", contact.name.c_str(), largest, step * 1e6,
+                    usual.step * 1e6, usual.limit.c_str(), beyond.c_str());
+        std::fflush(stdout);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -124,8 +164,8 @@ int main(int argc, char** argv) {
         ->required()
         ->check(CLI::IsMember({"scaling", "plate", "gate", "sponge"}));
     app.add_option("--only", only, "one coupling, by its name in the table");
-    app.add_option("--vary", vary, "support, spacing or both")
-        ->check(CLI::IsMember({"support", "spacing", "both"}))
+    app.add_option("--vary", vary, "support, spacing, both, or step: how long steps can be")
+        ->check(CLI::IsMember({"support", "spacing", "both", "step"}))
         ->capture_default_str();
     app.add_option("--output", folder, "folder for the curves")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
@@ -135,6 +175,10 @@ int main(int argc, char** argv) {
             return 0;
         }
         const SceneToRun scene = scene_by(scene_name);
+        if (vary == "step") {
+            print_edges(scene_name, scene, only);
+            return 0;
+        }
         sph::require_writable(folder);
         for (const bool supports : {true, false}) {
             if (vary != "both" && (vary == "support") != supports)
@@ -157,8 +201,9 @@ int main(int argc, char** argv) {
                 std::vector<std::string> names;
                 std::printf("| %s |", contact.name.c_str());
                 for (double v : values) {
-                    outcomes.push_back(
-                        contact.run(supports ? Numerics{scene.usual.spacing, v} : Numerics{v, scene.usual.ratio}));
+                    Numerics varied = scene.usual;
+                    (supports ? varied.ratio : varied.spacing) = v;
+                    outcomes.push_back(contact.run(varied));
                     names.push_back(supports ? sph::text("H = ", v, " spacings")
                                              : sph::text("spacing ", v * 1e3, " mm"));
                     if (outcomes.back().failure.empty())

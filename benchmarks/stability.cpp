@@ -6,6 +6,7 @@
 //   build-benchmark/benchmarks/stability --part Limits                   a part of the tables, printed
 #include "stability/rows.hpp"
 #include "support/document.hpp"
+#include "support/largest_stable.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -43,7 +44,7 @@ struct Bisected {
 Bisected bisect(const Row& row, double highest) {
     Bisected result{0, row.run({.cfl = 0.4, .value = row.value, .ask = true}), {}};
     double least_failed = 1e30;
-    result.largest = largest_stable(0.2, 1, highest, [&](double cfl) {
+    result.largest = sph::bench::largest_stable(0.2, 1, highest, [&](double cfl) {
         Outcome out = row.run({.cfl = cfl, .value = row.value});
         if (!out.stable && cfl < least_failed) {
             least_failed = cfl;
@@ -124,7 +125,7 @@ void write_frontiers(std::ostream& out, const std::vector<Frontier>& frontiers) 
         const auto value = [&](double x) { return rising ? f.mild * x : f.mild / x; };
         const double most = rising ? f.harsh / f.mild : f.mild / f.harsh;
         double least_failed = 1e30;
-        const double largest = largest_stable(1, 1, most, [&](double x) {
+        const double largest = sph::bench::largest_stable(1, 1, most, [&](double x) {
             const Outcome now = f.run({.cfl = 0.4, .value = value(x)});
             if (!now.stable && x < least_failed) {
                 least_failed = x;

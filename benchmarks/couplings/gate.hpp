@@ -15,7 +15,7 @@ Outcome run_with(const Numerics& numerics) {
     const double root = dx / 2 + height + 3 * dx; // held, above what is free to move
     const Layers layers{support, dx, dx, 2};
     Scene<2, float, Kit> scene(
-        {.gravity = {0, -gravity}, .support_radius = support, .search_interval = 4, .threads = 1});
+        {.gravity = {0, -gravity}, .support_radius = support, .cfl = numerics.cfl, .search_interval = 4, .threads = 1});
     // Whole columns of water, the last of which is where it has to be: `fill` would put them in the middle.
     const double last = width - Kit::first_gap(load, layers), first = last - std::floor(last / dx + 1e-9) * dx;
     const auto pool = scene.add(water(10 * std::sqrt(2 * gravity * depth)),

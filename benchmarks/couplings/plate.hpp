@@ -51,7 +51,8 @@ template <class Kit>
 Outcome wet_sag(const Numerics& numerics, double modulus = young_modulus) {
     const double dx = numerics.spacing, support = numerics.ratio * dx;
     const Layers layers{support, dx, dx / 2, 2};
-    Scene<2, double, Kit> scene({.gravity = {0, -gravity}, .support_radius = support, .threads = 1});
+    Scene<2, double, Kit> scene(
+        {.gravity = {0, -gravity}, .support_radius = support, .cfl = numerics.cfl, .threads = 1});
     const double sound_speed = 10 * std::sqrt(2 * gravity * depth), low = Kit::first_gap(load, layers);
     const auto pool = scene[scene.add(water(sound_speed), sph::fill(sph::Box<2>{{0, low}, {1, low + depth}}, dx), dx)];
     const auto plate = scene[add_plate<Kit>(scene, dx / 2, modulus)];

@@ -21,7 +21,9 @@ Outcome run_with(const Numerics& numerics) {
     c.threads = 1;
     const Load load{1000 * c.gravity * c.pool, std::sqrt(2 * c.gravity * c.gap)};
     const double support = numerics.ratio * c.water_spacing;
-    Scene<3, float, Kit> scene(c.settings(support));
+    auto settings = c.settings(support);
+    settings.cfl = numerics.cfl;
+    Scene<3, float, Kit> scene(settings);
     const auto pool = scene.add(water(10 * c.fall_speed()), c.water(), c.water_spacing);
     const auto slab = scene.add(elastic<Kit>(c.young_modulus, c.poisson_ratio, 950, 2 * c.solid_spacing), c.sponge(),
                                 c.solid_spacing);
