@@ -4,7 +4,7 @@
 //   build-benchmark/benchmarks/accuracy_cost taylor-green -o taylor-green.csv     vortices that decay, Re = 100
 //   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
 //   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
-//   build-benchmark/benchmarks/accuracy_cost poiseuille --axis "cfl=0.1;0.4" --axis "method=float" --combine
+//   build-benchmark/benchmarks/accuracy_cost poiseuille --axis "cfl=0.1;0.4" --axis "precision=float" --combine
 //                                                      these choices in place of the case's, and all their combinations
 //
 // tools/accuracy_instructions.py adds the number of instructions of each run to such a table.
@@ -32,6 +32,13 @@ void replace(cost::accuracy::Study& study, const std::string& axis) {
     for (std::string word; std::getline(words, word, ';');)
         choices.push_back(word);
     study.instead(axis.substr(0, equals), choices);
+}
+
+/// The rest of a line.
+void print(const cost::accuracy::Choices& choices) {
+    for (const auto& [axis, value] : choices.all())
+        std::printf("  %s %s", axis.c_str(), value.c_str());
+    std::printf("\n");
 }
 
 } // namespace
@@ -72,9 +79,7 @@ int main(int argc, char** argv) {
         study.repeat_instead(*repetitions);
     study.progress([](const cost::accuracy::Choices& choices, std::size_t done, std::size_t of) {
         std::printf("%3zu of %zu:", done + 1, of);
-        for (const auto& [axis, value] : choices.all())
-            std::printf("  %s %s", axis.c_str(), value.c_str());
-        std::printf("\n");
+        print(choices);
         std::fflush(stdout);
     });
     Rows rows;
@@ -87,12 +92,14 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "accuracy_cost: %s\n", error.what());
         return 2;
     }
-    for (const auto& row : rows)
-        if (row.on_front) {
+    for (const auto& row : rows) {
+        if (!row.on_front && row.failure.empty())
+            continue;
+        if (row.on_front)
             std::printf("on the front: %8.2f s, error %.4f:", row.seconds, row.error);
-            for (const auto& [axis, value] : row.choices.all())
-                std::printf("  %s %s", axis.c_str(), value.c_str());
-            std::printf("\n");
-        }
+        else
+            std::printf("broke off, %s:", row.failure.c_str());
+        print(row.choices);
+    }
     return 0;
 }

@@ -3,6 +3,7 @@
 
 #include <imbibe/accuracy/study.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -24,34 +25,65 @@ Rows plate(accuracy::Study study, bool quick);        ///< a plate that swings
 Rows soft_plate(accuracy::Study study, bool quick);   ///< water on a soft plate
 Rows sponge(accuracy::Study study, bool quick);       ///< one row of pores of the sponge
 
-/// The methods that a case compares, by the names on their axis.
+/// The compositions that a case compares, which are compiled one by one: a run with each, and what it is called on
+/// every axis of words (scheme, kernel, integrator, precision). Not all combinations of these are there.
 /// @tparam Result what a run with one of them gives
 template <class Result = accuracy::Outcome>
-class Methods {
+class Compositions {
 public:
+    using Words = std::vector<std::pair<std::string, std::string>>; ///< an axis and the choice on it
     using Run = std::function<Result(const accuracy::Choices&)>;
 
-    Methods(std::string axis, std::vector<std::pair<std::string, Run>> known)
-        : axis_(std::move(axis)), known_(std::move(known)) {}
-
-    /// The choices on the axis.
-    Words names() const {
-        Words names;
-        for (const auto& [name, run] : known_)
-            names.push_back(name);
-        return names;
+    /// @param first the choice of each axis from which the others depart, @param known the departures, none for the
+    /// first, and a run with each
+    Compositions(const Words& first, const std::vector<std::pair<Words, Run>>& known) : first_(first) {
+        for (const auto& [departures, run] : known)
+            known_.push_back({departures, with(departures), run});
     }
-    /// A run with the method that is chosen. Throws Error if the case does not know it.
+
+    /// Adds the axes and, beside departures on one of them, the compositions that depart on several.
+    void add_to(accuracy::Study& study) const {
+        for (std::size_t axis = 0; axis < first_.size(); ++axis) {
+            std::vector<std::string> words;
+            for (const Known& one : known_)
+                if (const auto& word = one.words[axis].second;
+                    std::find(words.begin(), words.end(), word) == words.end())
+                    words.push_back(word);
+            study.axis(first_[axis].first, words);
+        }
+        for (const Known& one : known_)
+            if (one.departures.size() > 1)
+                study.also(one.departures);
+    }
+    /// A run with the composition that is chosen. Throws Error if it is not compiled in.
     Result operator()(const accuracy::Choices& choose) const {
-        for (const auto& [name, run] : known_)
-            if (name == choose[axis_])
-                return run(choose);
-        throw sph::Error(sph::text("there is no ", axis_, " '", choose[axis_], "'"));
+        std::string wanted;
+        for (const auto& [axis, word] : first_)
+            wanted += (wanted.empty() ? "" : ", ") + choose[axis];
+        for (const Known& one : known_)
+            if (std::all_of(one.words.begin(), one.words.end(),
+                            [&](const auto& word) { return choose[word.first] == word.second; }))
+                return one.run(choose);
+        throw sph::Error("this case is not compiled with " + wanted + " together: add it to its compositions");
     }
 
 private:
-    std::string axis_;
-    std::vector<std::pair<std::string, Run>> known_;
+    struct Known {
+        Words departures, words; // from the first, and on all axes
+        Run run;
+    };
+    Words first_;
+    std::vector<Known> known_;
+
+    Words with(const Words& departures) const {
+        Words all = first_;
+        for (const auto& [axis, word] : departures) {
+            const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == axis; });
+            sph::require(at != all.end(), "there is no axis '", axis, "'");
+            at->second = word;
+        }
+        return all;
+    }
 };
 
 } // namespace cost

@@ -15,18 +15,19 @@ accuracy::Outcome drag(const accuracy::Choices& choose) {
     return {std::abs(flow.drag / known - 1), flow.pair_evaluations};
 }
 
-const Methods<> methods("method", {{"quintic spline", drag<sph::QuinticSpline>},
-                                   {"Wendland C2", drag<sph::WendlandC2>},
-                                   {"Wendland C4", drag<sph::WendlandC4>},
-                                   {"float", drag<sph::QuinticSpline, float>}});
+const Compositions<> compositions({{"kernel", "quintic spline"}, {"precision", "double"}},
+                                  {{{}, drag<sph::QuinticSpline>},
+                                   {{{"kernel", "Wendland C2"}}, drag<sph::WendlandC2>},
+                                   {{{"kernel", "Wendland C4"}}, drag<sph::WendlandC4>},
+                                   {{{"precision", "float"}}, drag<sph::QuinticSpline, float>}});
 
 } // namespace
 
 Rows cylinders(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"12", "25"} : Words{"12", "25", "50"});
-    study.axis("method", methods.names());
+    compositions.add_to(study);
     study.axis("support", {"3", "2.6", "3.5"});
-    return study.one_at_a_time(methods, {"across"});
+    return study.one_at_a_time(compositions, {"across"});
 }
 
 } // namespace cost

@@ -78,23 +78,25 @@ Front chosen(const accuracy::Choices& choose) {
                                              choose.repetition);
 }
 
-const Methods<Front> methods("method", {{"delta-SPH", chosen<Diffusive>},
-                                        {"without diffusion", chosen<Rough>},
-                                        {"shifted", chosen<Shifted>},
-                                        {"Riemann", chosen<Riemann>},
-                                        {"float", chosen<Diffusive, float>},
-                                        {"staggered leapfrog", chosen<Diffusive, double, sph::StaggeredLeapfrog>}});
+const Compositions<Front>
+    compositions({{"scheme", "delta-SPH"}, {"integrator", "symplectic Euler"}, {"precision", "double"}},
+                 {{{}, chosen<Diffusive>},
+                  {{{"scheme", "without diffusion"}}, chosen<Rough>},
+                  {{{"scheme", "shifted"}}, chosen<Shifted>},
+                  {{{"scheme", "Riemann"}}, chosen<Riemann>},
+                  {{{"integrator", "staggered leapfrog"}}, chosen<Diffusive, double, sph::StaggeredLeapfrog>},
+                  {{{"precision", "float"}}, chosen<Diffusive, float>}});
 
 } // namespace
 
 Rows dam_break(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"16", "24"} : Words{"16", "24", "32", "48"});
-    study.axis("method", methods.names());
+    compositions.add_to(study);
     study.axis("support", {"2.6", "2", "3"}).axis("cfl", {"0.4", "0.2", "0.75"});
     const Front finest = collapse<Diffusive, float>(quick ? 64 : 128, 2.6, 0.4);
     return study.one_at_a_time(
         [&](const accuracy::Choices& choose) {
-            const Front seen = methods(choose);
+            const Front seen = compositions(choose);
             double difference2 = 0, way2 = 0;
             for (std::size_t k = 0; k < samples; ++k) {
                 difference2 += sph::sq(seen.x[k] - finest.x[k]);

@@ -52,24 +52,38 @@ accuracy::Outcome plates(const accuracy::Choices& choose) {
 }
 
 using C2 = sph::WendlandC2;
-const Methods<>
-    methods("method",
-            {{"Wendland C2", plates<C2>},
-             {"Wendland C4", plates<sph::WendlandC4>},
-             {"quintic spline", plates<sph::QuinticSpline>},
-             {"corrected gradients", plates<C2, double, sph::SymplecticEuler, validation::plates::CorrectedOil<C2>>},
-             {"Cleary's viscosity",
-              plates<C2, double, sph::SymplecticEuler, validation::plates::Oil<C2, sph::ClearyViscosity<C2>>>},
-             {"float", plates<C2, float>},
-             {"predictor-corrector", plates<C2, double, sph::PredictorCorrector>}});
+using C4 = sph::WendlandC4;
+using Quintic = sph::QuinticSpline;
+using validation::plates::CorrectedOil, validation::plates::Oil;
+template <class K>
+accuracy::Outcome corrected(const accuracy::Choices& choose) {
+    return plates<K, double, sph::SymplecticEuler, CorrectedOil<K>>(choose);
+}
+
+const Compositions<>
+    compositions({{"kernel", "Wendland C2"},
+                  {"gradients", "as they are"},
+                  {"viscosity", "Morris"},
+                  {"integrator", "symplectic Euler"},
+                  {"precision", "double"}},
+                 {{{}, plates<C2>},
+                  {{{"kernel", "Wendland C4"}}, plates<C4>},
+                  {{{"kernel", "quintic spline"}}, plates<Quintic>},
+                  {{{"gradients", "corrected gradients"}}, corrected<C2>},
+                  {{{"viscosity", "Cleary's viscosity"}},
+                   plates<C2, double, sph::SymplecticEuler, Oil<C2, sph::ClearyViscosity<C2>>>},
+                  {{{"integrator", "predictor-corrector"}}, plates<C2, double, sph::PredictorCorrector>},
+                  {{{"precision", "float"}}, plates<C2, float>},
+                  {{{"kernel", "quintic spline"}, {"gradients", "corrected gradients"}}, corrected<Quintic>},
+                  {{{"kernel", "quintic spline"}, {"precision", "float"}}, plates<Quintic, float>}});
 
 } // namespace
 
 Rows poiseuille(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"10", "20"} : Words{"10", "20", "40", "80"});
-    study.axis("method", methods.names());
+    compositions.add_to(study);
     study.axis("support", {"2.6", "2", "3.5"}).axis("cfl", {"0.4", "0.2", "0.8"});
-    return study.one_at_a_time(methods, {"across"});
+    return study.one_at_a_time(compositions, {"across"});
 }
 
 } // namespace cost

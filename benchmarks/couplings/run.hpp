@@ -14,8 +14,8 @@ namespace couplings {
 
 /// What is varied.
 struct Numerics {
-    double spacing; ///< of the water, m
-    double ratio;   ///< support radius of the water in spacings
+    double spacing;   ///< of the water, m
+    double ratio;     ///< support radius of the water in spacings
     double cfl = 0.4; ///< share of the shortest limit that a step takes
 };
 

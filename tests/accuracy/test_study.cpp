@@ -53,6 +53,28 @@ TEST_CASE("A study makes every combination, or departs from the first one axis a
     CHECK(seen[7] == "2 a short ");
 }
 
+TEST_CASE("A study also departs on several axes where it is asked to", "[accuracy]") {
+    const auto seen = [](accuracy::Study study) {
+        study.axis("n", {"1", "2"}).axis("kernel", {"a", "b"}).axis("step", {"long", "short"});
+        std::vector<std::string> all;
+        study.one_at_a_time(
+            [&](const accuracy::Choices& choices) -> accuracy::Outcome {
+                all.push_back(words(choices));
+                return {0};
+            },
+            {"n"});
+        return all;
+    };
+    accuracy::Study study;
+    study.also({{"kernel", "b"}, {"step", "short"}}).also({{"kernel", "b"}}); // the second is there already
+    CHECK(seen(study) == std::vector<std::string>{"1 a long ", "2 a long ", "1 b long ", "2 b long ", "1 a short ",
+                                                  "2 a short ", "1 b short ", "2 b short "});
+    accuracy::Study without = study;
+    CHECK(seen(without.instead("step", {"long"})) ==
+          std::vector<std::string>{"1 a long ", "2 a long ", "1 b long ", "2 b long "});
+    CHECK_THROWS_WITH(seen(study.also({{"kernal", "b"}})), contains("the case has no axis 'kernal'"));
+}
+
 TEST_CASE("A study measures error bars and time, keeps failures, and finds the front", "[accuracy]") {
     accuracy::Study study;
     study.axis("method", {"slow and good", "fast and bad", "slow and bad", "breaks"}).repeat(3);

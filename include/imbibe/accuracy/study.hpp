@@ -140,6 +140,13 @@ public:
         instead_.emplace_back(name, choices);
         return *this;
     }
+    /// Beside what departs on one axis `one_at_a_time` runs this too, which departs on several: an axis and the choice
+    /// on it, for each of them. Left out where `instead` takes one of these choices away, and where it is there
+    /// already. A run throws Error if one of the axes never came.
+    Study& also(const std::vector<std::pair<std::string, std::string>>& departures) {
+        also_.push_back(departures);
+        return *this;
+    }
     /// Lets `one_at_a_time` run every combination, as `run` does.
     Study& combine() {
         combined_ = true;
@@ -175,8 +182,9 @@ public:
             all = with_each(all, name, values);
         return run_all(all, what);
     }
-    /// The first choice of every axis, and all that differ from it on one axis. `along`: on these axes all choices are
-    /// combined with each of them (the spacing, usually). Throws Error if one of these is no axis of the study.
+    /// The first choice of every axis, all that differ from it on one axis, and what `also` asks for. `along`: on these
+    /// axes all choices are combined with each of them (the spacing, usually). Throws Error if one of these is no axis
+    /// of the study.
     template <class Case>
     std::vector<Row> one_at_a_time(const Case& what, const std::vector<std::string>& along = {}) const {
         for (const std::string& name : along)
@@ -196,6 +204,7 @@ public:
                 all.push_back(first);
                 all.back().set(name, values[k]);
             }
+        add_also(all, first, axes);
         for (const auto& [name, values] : axes)
             if (is_along(name))
                 all = with_each(all, name, values);
@@ -205,6 +214,7 @@ public:
 private:
     using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
     Axes axes_, instead_; // as they were added, and what is to be taken in their place
+    std::vector<std::vector<std::pair<std::string, std::string>>> also_;
     bool combined_ = false;
     int repetitions_ = 1;
     std::optional<int> repetitions_instead_;
@@ -244,6 +254,21 @@ private:
         for (const std::string& word : words)
             all += (all.empty() ? "'" : ", '") + word + "'";
         return all;
+    }
+    void add_also(std::vector<Choices>& all, const Choices& first, const Axes& axes) const {
+        for (const auto& departures : also_) {
+            Choices one = first;
+            bool is_chosen = true;
+            for (const auto& [name, value] : departures) {
+                require_axis(name);
+                one.set(name, value);
+                for (const auto& [axis, values] : axes)
+                    is_chosen &= axis != name || std::find(values.begin(), values.end(), value) != values.end();
+            }
+            is_chosen &= std::none_of(all.begin(), all.end(), [&](const Choices& o) { return o.all() == one.all(); });
+            if (is_chosen)
+                all.push_back(one);
+        }
     }
     // Each of `all` with each value of an axis.
     static std::vector<Choices> with_each(const std::vector<Choices>& all, const std::string& axis,
