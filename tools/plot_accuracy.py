@@ -4,6 +4,7 @@
     python3 tools/plot_accuracy.py study.csv -o study.png
     python3 tools/plot_accuracy.py study.csv --join spacing --time "pair evaluations" -o study.png
     python3 tools/plot_accuracy.py study.csv --time instructions -o study.png
+    python3 tools/plot_accuracy.py study.csv --buys -o study.png       # and a table: what each choice costs and buys
 
 The file is one that `imbibe::accuracy::write` wrote. Runs that differ on the axis `--join` alone are joined by a line;
 a ring marks what is on the front: nothing else was both faster and more accurate. Bars span the repetitions. What
@@ -52,6 +53,19 @@ def is_number(word):
     return True
 
 
+def print_buys(groups, labels, join, time):
+    """A row for each choice but the base's, at the finest of the join axis that both reached: ratios to the base."""
+    base = {row[join]: row for row in next(iter(groups.values()))}
+    print(f"| choice | {join} | {time}, share of the base's | error | the base's |\n|---|---|---|---|---|")
+    for choice, group in list(groups.items())[1:]:
+        shared = [row for row in group if row[join] in base]
+        if shared:
+            row = shared[-1]
+            first = base[row[join]]
+            print(f"| {labels[choice]} | {row[join]} | {row[time] / first[time]:.2f} | {row['error']:.2%} | "
+                  f"{first['error']:.2%} |")
+
+
 def label_ticks(axis):
     """At twice and five times a power of ten as well, where fewer than two powers are in the picture."""
     low, high = np.log10(axis.get_view_interval())
@@ -68,6 +82,7 @@ def main():
     parser.add_argument("--join", help="join runs that differ on this axis alone (default: the first axis)")
     parser.add_argument("--time", default="seconds [s]", choices=["seconds [s]", "pair evaluations", COUNTED],
                         help="what is meant by time (default: seconds)")
+    parser.add_argument("--buys", action="store_true", help="print what each choice costs and buys beside the base")
     parser.add_argument("--title", help="a line above the picture")
     parser.add_argument("--dpi", type=whole_number, default=150)
     arguments = parser.parse_args()
@@ -88,19 +103,24 @@ def main():
     for row in drawn:
         groups.setdefault(tuple(row[axis] for axis in varied), []).append(row)
 
+    base = next(iter(groups))
+    labels = {}
+    for choice in groups:
+        words = [word if not is_number(word) else f"{axis} {word}" for axis, word in zip(varied, choice)]
+        labels[choice] = ", ".join(word for word, own, first in zip(words, choice, base) if choice == base or own != first)
+    if arguments.buys:
+        print_buys(groups, labels, join, arguments.time)
+
     figure, panel = plt.subplots(figsize=(8, 5.2))
     markers = "osD^vP*X"
-    base = next(iter(groups))
     for k, (choice, group) in enumerate(groups.items()):
         group.sort(key=lambda row: row[arguments.time])
         time = [row[arguments.time] for row in group]
         error = np.array([row["error"] for row in group])
         spread = [error - [row["least error"] for row in group], [row["greatest error"] for row in group] - error]
-        words = [word if not is_number(word) else f"{axis} {word}" for axis, word in zip(varied, choice)]
-        label = ", ".join(word for word, own, first in zip(words, choice, base) if k == 0 or own != first)
         panel.errorbar(time, error, yerr=np.maximum(spread, 0), color=CURVES[k % len(CURVES)],
                        marker=markers[k // len(CURVES) % len(markers)], markersize=4.5, linewidth=1.1, capsize=2,
-                       label=label)
+                       label=labels[choice])
         for row in group:
             panel.annotate(row[join], (row[arguments.time], row["error"]), textcoords="offset points", xytext=(4, 4),
                            fontsize=6.5, color=GREY)

@@ -98,6 +98,7 @@ def tool(name, *arguments, fails=None):
         assert done.returncode in (1, 2) and last.startswith(name + ": ") and fails in last, \
             f"{name} {arguments} ended with {done.returncode} and said: {done.stderr}"
         assert "Traceback" not in done.stderr, done.stderr
+    return done.stdout
 
 
 def share(picture, test):
@@ -144,6 +145,11 @@ def refuse_bad_input(folder, run):
     tool("plot_accuracy.py", no_text, "-o", picture, fails="it is no text")
     row = "0.1,1e-3,1e-3,1e-3,0.5,1000,0,\n"
     tool("plot_accuracy.py", written("study.csv", STUDY + row + row.replace("1e-3", "4e-3")), "-o", picture)
+    two_axes = "kernel," + STUDY + "".join(f"{kernel},{spacing},{error},{error},{error},{seconds},1000,0,\n" for
+                                           kernel, spacing, error, seconds in (("a", 0.2, 0.04, 1), ("a", 0.1, 0.02, 4),
+                                                                               ("b", 0.2, 0.03, 2), ("b", 0.1, 0.01, 6)))
+    bought = tool("plot_accuracy.py", written("two.csv", two_axes), "--join", "spacing", "--buys", "-o", picture)
+    assert "| b | 0.1 | 1.50 | 1.00% | 2.00% |" in bought, bought
     for table, said in ((STUDY + row + "0.1,1e-3\n", "number 2, that is not of 8 columns"),
                         (STUDY + row + row.replace("0.5", "long"), "number 2, with 'long'"),
                         ("a,b\n1,2\n", "not the table of an accuracy study")):
