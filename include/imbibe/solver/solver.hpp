@@ -7,6 +7,7 @@
 #include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/settings.hpp>
 #include <imbibe/solver/time_step_limits.hpp>
+#include <imbibe/solver/warnings.hpp>
 
 #include <algorithm>
 #include <string>
@@ -102,7 +103,8 @@ public:
                     ++number;
                 }
             if (number == 0)
-                note(text("hold: no particle of ", detail::type_name<P>(), " is where those are that are to be held"));
+                warnings_.note(
+                    text("hold: no particle of ", detail::type_name<P>(), " is where those are that are to be held"));
         } else {
             detail::break_rule<rules::HeldWithoutClamped<P, list_the_term_Clamped_in_the_phase>>();
         }
@@ -196,7 +198,7 @@ public:
     }
     /// What deserves a look but is no error, found while particles were added and before the first step. Progress
     /// and `describe` show it.
-    const std::vector<std::string>& warnings() const { return warnings_; }
+    const std::vector<std::string>& warnings() const { return warnings_.sentences(); }
     /// For parts of the library that need more than views.
     const Engine& engine() const { return engine_; }
 
@@ -325,7 +327,7 @@ private:
     bool may_have_changed_ = true; // materials and coefficients, since they were checked: somebody had a view to write
     int substeps_ = 1;
     TimeStepLimit last_step_{0, "none yet", "start"};
-    std::vector<std::string> warnings_;
+    detail::Warnings warnings_;
 
     void take(const TimeStepLimit& chosen);
     TimeStepLimit shortest(const std::vector<TimeStepLimit>& limits) const {
@@ -445,43 +447,6 @@ private:
         return place_of(s, i) + Eigen::Map<const Point>(settings_.origin.data());
     }
 
-    template <class P>
-    void note_warnings(const P& material, const std::string& name) {
-        note(detail::warning_of_support<dim>(material.support_radius / material.spacing, name));
-        if constexpr (requires { material.warning(name); })
-            note(material.warning(name));
-    }
-    template <class... C>
-    void note_overlaps(TypeList<C...>) {
-        (engine_.template with_link_of<C>(
-             [&](const auto& link) { note(detail::warning_of_overlap(link, engine_, settings_.origin)); }),
-         ...);
-    }
-    template <class... P, class... C>
-    void note_doubts(TypeList<P...>, TypeList<C...>) {
-        const auto check = [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
-            note(detail::warning_of_no_coupling<A, B, TypeList<C...>>(engine_));
-        };
-        const auto check_phase = [&]<class A>(std::type_identity<A> phase) {
-            if (engine_.template state<A>().size() == 0)
-                note(text(detail::type_name<A>(), " has no particles; was scene.add forgotten?"));
-            note(detail::warning_of_soft_fluid<A>(engine_));
-            (check(phase, std::type_identity<P>{}), ...);
-        };
-        (check_phase(std::type_identity<P>{}), ...);
-        engine_.for_each_link([&]<class L>(const L& link) {
-            if constexpr (std::is_same_v<typename L::A, typename L::B>)
-                note(detail::warning_of_other_spacing(link, engine_));
-        });
-        (note(detail::warning_of_other_support<C>(engine_)), ...);
-        (note(detail::warning_of_no_continuity<C, typename C::First>(engine_)), ...);
-        (note(detail::warning_of_no_continuity<C, typename C::Second>(engine_)), ...);
-    }
-    void note(const std::string& sentence) {
-        if (!sentence.empty() && std::find(warnings_.begin(), warnings_.end(), sentence) == warnings_.end())
-            warnings_.push_back(sentence);
-    }
-
     // Which limits are on a step, and which on the shorter ones that it is made of.
     struct OfSubsteps {
         template <class Where, class Term>
@@ -542,7 +507,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
         s.material.spacing = spacing;
         s.material.support_radius = support;
     }
-    note_warnings(s.material, name);
+    detail::note_doubts_of<dim>(warnings_, s.material, name);
     const int before = s.size();
     s.resize(before + static_cast<int>(points.size()));
     const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
@@ -586,10 +551,8 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
     }
     engine_.search_neighbours();
     if (anew) {
-        if (steps_ == 0) { // what is added to a run comes where there is room, or motion has brought the two together
-            note_overlaps(Couplings{});
-            note_doubts(Phases{}, Couplings{});
-        }
+        if (steps_ == 0) // what is added to a run comes where there is room, or motion has brought the two together
+            detail::note_doubts(warnings_, engine_, settings_.origin, Phases{}, Couplings{});
         engine_.template run<typename Scene::Once>(0);
     }
     if constexpr (steps_are_defined && requires { Integrator::start(engine_); })
@@ -599,9 +562,10 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
     if (settings_.time_step > 0 && steps_ == 0)
         if (const auto limits = time_step_limits();
             !limits.empty() && limits.front().seconds < settings_.time_step * (1 - 1e-9))
-            note(text("the fixed time step of ", settings_.time_step, " s is longer than the longest stable one, ",
-                      limits.front().seconds, " s by ", limits.front().reason, " (", limits.front().where,
-                      "); with time_step = 0 steps adapt to the limits"));
+            warnings_.note(text("the fixed time step of ", settings_.time_step,
+                                " s is longer than the longest stable one, ", limits.front().seconds, " s by ",
+                                limits.front().reason, " (", limits.front().where,
+                                "); with time_step = 0 steps adapt to the limits"));
 }
 
 template <int dim, class Real_, class Integrator, class... Items>
