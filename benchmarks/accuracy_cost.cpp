@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
         if (row.on_front)
             std::printf("on the front: %8.2f s, error %.4f:", row.seconds, row.error);
         else
-            std::printf("broke off, %s:", row.failure.c_str());
+            std::printf("no result, %s:", row.failure.c_str());
         print(row.choices);
     }
     return 0;

@@ -121,8 +121,9 @@ void write_curves(const std::filesystem::path& path, const std::vector<std::stri
 /// with the usual one, and prints a table.
 void print_edges(const std::string& name, const SceneToRun& scene, const std::string& only) {
     constexpr double allowed = 0.05, lowest = 0.1, highest = 2; // 2: more the settings do not take
-    std::printf("\n%s, how long steps can be\n\n| coupling | greatest CFL number | mean step there [us] | with %g [us] "
-                "| what limits the step | beyond |\n|---|---|---|---|---|---|\n",
+    std::printf("\n%s, how long steps can be\n\n| coupling | greatest CFL number | mean step there [us] | with a CFL "
+                "number of %g "
+                "[us] | what limits that | what happens beyond |\n|---|---|---|---|---|---|\n",
                 name.c_str(), scene.usual.cfl);
     for (const Named& contact : scene.contacts) {
         if (!only.empty() && only != contact.name)
@@ -133,7 +134,7 @@ void print_edges(const std::string& name, const SceneToRun& scene, const std::st
                         usual.failure.c_str());
             continue;
         }
-        double step = 0, least_failed = std::numeric_limits<double>::infinity();
+        double step = 0, greatest_stable = 0, least_failed = std::numeric_limits<double>::infinity();
         std::string beyond = "-";
         const double largest = sph::bench::largest_stable(lowest, 0.5 * highest, highest, [&](double cfl) {
             Numerics longer = scene.usual;
@@ -142,15 +143,22 @@ void print_edges(const std::string& name, const SceneToRun& scene, const std::st
             const double off = outcome.value / usual.value - 1;
             const bool stable = outcome.failure.empty() && std::abs(off) <= allowed;
             if (stable) {
-                step = std::max(step, outcome.step);
+                if (cfl > greatest_stable) {
+                    greatest_stable = cfl;
+                    step = outcome.step;
+                }
             } else if (cfl < least_failed) {
                 least_failed = cfl;
-                beyond = outcome.failure.empty() ? sph::text(100 * off, " % off") : outcome.failure;
+                beyond = outcome.failure.empty() ? sph::text(100 * off, " % off")
+                                                 : outcome.failure.substr(0, outcome.failure.find(';'));
             }
             return stable;
         });
-        std::printf("| %s | %.2g | %.3g | %.3g | %s | %s |\n", contact.name.c_str(), largest, step * 1e6,
-                    usual.step * 1e6, usual.limit.c_str(), beyond.c_str());
+        std::printf("| %s | %s%.2g | %.3g | %.3g | %s | %s |\n", contact.name.c_str(),
+                    largest == 0         ? "below "
+                    : largest >= highest ? "above "
+                                         : "",
+                    largest == 0 ? lowest : largest, step * 1e6, usual.step * 1e6, usual.limit.c_str(), beyond.c_str());
         std::fflush(stdout);
     }
 }
@@ -167,7 +175,7 @@ int main(int argc, char** argv) {
     app.add_option("--vary", vary, "support, spacing, both, or step: how long steps can be")
         ->check(CLI::IsMember({"support", "spacing", "both", "step"}))
         ->capture_default_str();
-    app.add_option("--output", folder, "folder for the curves")->capture_default_str();
+    app.add_option("--output", folder, "folder for the curves, of which --vary step has none")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     try {
         if (scene_name == "scaling") {

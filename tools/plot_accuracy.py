@@ -54,16 +54,18 @@ def is_number(word):
 
 
 def print_buys(groups, labels, join, time):
-    """A row for each choice but the base's, at the finest of the join axis that both reached: ratios to the base."""
+    """A row for each choice but the base's, where both did the most work; choices that never came to that are named."""
     base = {row[join]: row for row in next(iter(groups.values()))}
-    print(f"| choice | {join} | {time}, share of the base's | error | the base's |\n|---|---|---|---|---|")
+    print(f"| choice | {join} | {time} / base's | error | base's error |\n|---|---|---|---|---|")
     for choice, group in list(groups.items())[1:]:
         shared = [row for row in group if row[join] in base]
         if shared:
-            row = shared[-1]
+            row = max(shared, key=lambda one: one["pair evaluations"])
             first = base[row[join]]
             print(f"| {labels[choice]} | {row[join]} | {row[time] / first[time]:.2f} | {row['error']:.2%} | "
                   f"{first['error']:.2%} |")
+        else:
+            print(f"| {labels[choice]} | none that the base has | | | |")
 
 
 def label_ticks(axis):
@@ -107,7 +109,8 @@ def main():
     labels = {}
     for choice in groups:
         words = [word if not is_number(word) else f"{axis} {word}" for axis, word in zip(varied, choice)]
-        labels[choice] = ", ".join(word for word, own, first in zip(words, choice, base) if choice == base or own != first)
+        labels[choice] = ", ".join(word for word, own, first in zip(words, choice, base)
+                                   if choice == base or own != first)
     if arguments.buys:
         print_buys(groups, labels, join, arguments.time)
 

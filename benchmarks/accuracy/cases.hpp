@@ -31,12 +31,12 @@ Rows sponge(accuracy::Study study, bool quick);       ///< one row of pores of t
 template <class Result = accuracy::Outcome>
 class Compositions {
 public:
-    using Words = std::vector<std::pair<std::string, std::string>>; ///< an axis and the choice on it
+    using Departures = std::vector<std::pair<std::string, std::string>>; ///< an axis and the choice on it
     using Run = std::function<Result(const accuracy::Choices&)>;
 
     /// @param first the choice of each axis from which the others depart, @param known the departures, none for the
     /// first, and a run with each
-    Compositions(const Words& first, const std::vector<std::pair<Words, Run>>& known) : first_(first) {
+    Compositions(const Departures& first, const std::vector<std::pair<Departures, Run>>& known) : first_(first) {
         for (const auto& [departures, run] : known)
             known_.push_back({departures, with(departures), run});
     }
@@ -44,7 +44,7 @@ public:
     /// Adds the axes and, beside departures on one of them, the compositions that depart on several.
     void add_to(accuracy::Study& study) const {
         for (std::size_t axis = 0; axis < first_.size(); ++axis) {
-            std::vector<std::string> words;
+            Words words{first_[axis].second};
             for (const Known& one : known_)
                 if (const auto& word = one.words[axis].second;
                     std::find(words.begin(), words.end(), word) == words.end())
@@ -69,18 +69,19 @@ public:
 
 private:
     struct Known {
-        Words departures, words; // from the first, and on all axes
+        Departures departures, words; // from the first, and on all axes
         Run run;
     };
-    Words first_;
+    Departures first_;
     std::vector<Known> known_;
 
-    Words with(const Words& departures) const {
-        Words all = first_;
-        for (const auto& [axis, word] : departures) {
-            const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == axis; });
-            sph::require(at != all.end(), "there is no axis '", axis, "'");
-            at->second = word;
+    Departures with(const Departures& departures) const {
+        Departures all = first_;
+        for (const auto& departure : departures) {
+            const auto at =
+                std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == departure.first; });
+            sph::require(at != all.end(), "there is no axis '", departure.first, "'");
+            at->second = departure.second;
         }
         return all;
     }

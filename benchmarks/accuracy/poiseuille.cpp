@@ -62,8 +62,8 @@ accuracy::Outcome corrected(const accuracy::Choices& choose) {
 
 const Compositions<>
     compositions({{"kernel", "Wendland C2"},
-                  {"gradients", "as they are"},
-                  {"viscosity", "Morris"},
+                  {"gradients", "plain gradients"},
+                  {"viscosity", "Morris' viscosity"},
                   {"integrator", "symplectic Euler"},
                   {"precision", "double"}},
                  {{{}, plates<C2>},

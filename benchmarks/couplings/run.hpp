@@ -14,16 +14,16 @@ namespace couplings {
 
 /// What is varied.
 struct Numerics {
-    double spacing;   ///< of the water, m
-    double ratio;     ///< support radius of the water in spacings
-    double cfl = 0.4; ///< share of the shortest limit that a step takes
+    double spacing; ///< of the water, m
+    double ratio;   ///< support radius of the water in spacings
+    double cfl;     ///< share of the shortest limit that a step takes
 };
 
 /// What came of a run.
 struct Outcome {
     double value = std::numeric_limits<double>::quiet_NaN(); ///< what the scene measures; see there
     double step = 0;                                         ///< mean time step, s
-    std::string limit;                                       ///< what limits it, at the end
+    std::string limit;                                       ///< what limited the last one
     double seconds = 0;                                      ///< processor time
     double gap = 0;              ///< least distance of a particle of the water to one of the solid, mean spacings
     double pair_evaluations = 0; ///< the work, see imbibe::accuracy
@@ -50,8 +50,9 @@ Outcome run(Scene& scene, double end, int samples, const Look& look, const Tend&
     const double every = end / samples;
     try {
         while (scene.time() < end * (1 - 1e-9)) {
-            const double step =
-                std::min(scene.next_step().seconds, every * (double(outcome.curve.size()) + 1) - scene.time());
+            const sph::TimeStepLimit limit = scene.next_step();
+            outcome.limit = limit.reason + ", " + limit.where;
+            const double step = std::min(limit.seconds, every * (double(outcome.curve.size()) + 1) - scene.time());
             scene.step(std::max(step, 1e-9 * end));
             tend(scene, step);
             guard(scene);
@@ -62,8 +63,6 @@ Outcome run(Scene& scene, double end, int samples, const Look& look, const Tend&
             }
         }
         outcome.step = end / double(scene.steps());
-        const auto limit = scene.next_step();
-        outcome.limit = limit.reason + ", " + limit.where;
         outcome.pair_evaluations = sph::accuracy::pair_evaluations(scene);
     } catch (const sph::Error& error) {
         outcome.failure = error.what();

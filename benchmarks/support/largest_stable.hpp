@@ -7,8 +7,7 @@
 namespace imbibe::bench {
 
 /// The largest value that is stable, of those between `low` and `high`, to 4 %: at first steps of a factor sqrt(2) from
-/// `start` until the verdict changes, then halves. `low` or less means that not even `low` is stable (0 is returned),
-/// `high` that all are.
+/// `start` until the verdict changes, then halves. 0 if not even `low` is stable, `high` if that is.
 template <class IsStable>
 double largest_stable(double low, double start, double high, const IsStable& is_stable) {
     double good = 0, bad = 0, at = start;

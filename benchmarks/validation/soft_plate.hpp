@@ -23,7 +23,7 @@ inline std::vector<Measured> measure(int across) {
     const double modulus = imbibe::bending_modulus(plate::young_modulus, across);
     std::vector<Measured> found{{"sag without water, m", "4 %", plate::dry_sag(spacing, modulus), reference}};
     const auto add = [&]<class Kit>(Kit) {
-        const auto seen = plate::wet_sag<Kit>({2 * spacing, 2.6}, modulus);
+        const auto seen = plate::wet_sag<Kit>({2 * spacing, 2.6, 0.4}, modulus);
         imbibe::require(seen.failure.empty(), seen.failure);
         found.push_back({imbibe::text("sag under water, ", Kit::name, ", m"), "4 %", seen.curve.back(), reference});
     };

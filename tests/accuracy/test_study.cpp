@@ -72,6 +72,8 @@ TEST_CASE("A study also departs on several axes where it is asked to", "[accurac
     accuracy::Study without = study;
     CHECK(seen(without.instead("step", {"long"})) ==
           std::vector<std::string>{"1 a long ", "2 a long ", "1 b long ", "2 b long "});
+    accuracy::Study misspelt = study;
+    CHECK_THROWS_WITH(seen(misspelt.also({{"kernel", "bb"}})), contains("the axis 'kernel' has no choice 'bb'"));
     CHECK_THROWS_WITH(seen(study.also({{"kernal", "b"}})), contains("the case has no axis 'kernal'"));
 }
 

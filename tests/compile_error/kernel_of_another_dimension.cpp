@@ -1,6 +1,6 @@
 // The paper's viscosity kernel of space, in the plane.
 // expect: KernelOfAnotherDimension
-// expect: this kernel is not one of this dimension
+// expect: this kernel is not made for this dimension
 // expect: ViscosityKernel
 // expect: use_ViscosityKernel2D_in_the_plane
 #include "scene.hpp"

@@ -141,8 +141,9 @@ public:
         return *this;
     }
     /// Beside what departs on one axis `one_at_a_time` runs this too, which departs on several: an axis and the choice
-    /// on it, for each of them. Left out where `instead` takes one of these choices away, and where it is there
-    /// already. A run throws Error if one of the axes never came.
+    /// on it, for each of them. Left out where `instead` takes one of these choices away, where it is there already,
+    /// and with `combine`, which has it anyway. A run throws Error if one of the axes, or a choice of words on it,
+    /// never came.
     Study& also(const std::vector<std::pair<std::string, std::string>>& departures) {
         also_.push_back(departures);
         return *this;
@@ -261,6 +262,9 @@ private:
             bool is_chosen = true;
             for (const auto& [name, value] : departures) {
                 require_axis(name);
+                for (const auto& [axis, values] : axes_)
+                    if (axis == name)
+                        check_instead(name, values, {value});
                 one.set(name, value);
                 for (const auto& [axis, values] : axes)
                     is_chosen &= axis != name || std::find(values.begin(), values.end(), value) != values.end();

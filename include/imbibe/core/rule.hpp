@@ -1,4 +1,5 @@
-// How a broken rule is said: one error, whose text is the rule's and whose names are the culprits.
+// How a broken rule is said: one error, whose text is the rule's and whose names are the culprits. And the rule that
+// scenes and shapes share.
 #pragma once
 
 #include <type_traits>
@@ -27,6 +28,7 @@ constexpr bool break_rule() {
 template <class T>
 T& nothing();
 
+// True, or a compile error that names the broken rule.
 template <int dim>
 constexpr bool check_dimension() {
     if constexpr (dim != 2 && dim != 3)

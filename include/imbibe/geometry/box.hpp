@@ -1,6 +1,7 @@
 // The axis-aligned box: a shape, and the bounds of every other shape.
 #pragma once
 
+#include <imbibe/core/rule.hpp>
 #include <imbibe/geometry/point.hpp>
 
 #include <algorithm>

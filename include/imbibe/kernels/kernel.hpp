@@ -67,10 +67,15 @@ concept HasLaplacian = Kernel<K> && requires(double q) {
 };
 
 namespace rules {
-/// Rule: a kernel is one of the dimensions that it is made for.
+/// Rule: kernels are those of a line, of the plane and of space.
+template <class Dimension>
+struct NoSuchDimension {
+    static_assert(sizeof(Dimension) == 0, "imbibe: kernels exist in 1, 2 and 3 dimensions");
+};
+/// Rule: a kernel is used in a dimension that it is made for.
 template <class Kernel, class Dimension, class Advice>
 struct KernelOfAnotherDimension {
-    static_assert(sizeof(Kernel) == 0, "imbibe: this kernel is not one of this dimension");
+    static_assert(sizeof(Kernel) == 0, "imbibe: this kernel is not made for this dimension");
 };
 } // namespace rules
 
@@ -79,7 +84,8 @@ namespace detail {
 /// The constant that belongs to the dimension.
 template <int dim>
 constexpr double for_dimension(double line, double plane, double space) {
-    static_assert(dim >= 1 && dim <= 3, "imbibe: kernels exist in 1, 2 and 3 dimensions");
+    if constexpr (dim < 1 || dim > 3)
+        break_rule<rules::NoSuchDimension<std::integral_constant<int, dim>>>();
     return dim == 1 ? line : dim == 2 ? plane : space;
 }
 

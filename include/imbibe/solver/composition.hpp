@@ -371,24 +371,28 @@ struct Composition {
 
 namespace detail {
 
-/// True, or a compile error that names the broken rule: is the second argument of a solver the type of its numbers?
-template <class Real>
-constexpr bool check_numbers() {
-    if constexpr (!std::is_same_v<Real, float> && !std::is_same_v<Real, double>)
-        return break_rule<rules::NotRealNumbers<Real, write_float_or_double>>();
-    else
-        return true;
-}
+// Stands for the engine of a scene, where only the name of a step is asked for.
+struct AnyEngine;
+template <class I>
+concept IsIntegrator = requires {
+    &I::template step<AnyEngine>;
+};
 
-/// True, or a compile error that names the broken rule: is the third argument of a solver an integrator, and does the
-/// scene keep its rules?
-template <class Integrator, class Scene>
+/// True, or a compile error that names the broken rule: are the arguments of a solver what they should be, and does the
+/// scene keep its rules? One after the other, as above.
+template <int dim, class Real, class Integrator, class... Items>
 constexpr bool check_scene() {
-    if constexpr (IsPhase<Integrator> || IsCoupling<Integrator>)
+    if constexpr (!check_dimension<dim>())
+        return false;
+    else if constexpr (!std::is_same_v<Real, float> && !std::is_same_v<Real, double>)
+        return break_rule<rules::NotRealNumbers<Real, write_float_or_double>>();
+    else if constexpr (IsPhase<Integrator> || IsCoupling<Integrator>)
         return break_rule<
             rules::NoIntegrator<Integrator, put_an_integrator_such_as_SymplecticEuler_before_the_phases>>();
+    else if constexpr (!IsIntegrator<Integrator>)
+        return break_rule<rules::NotAnIntegrator<Integrator, give_it_one_such_as_SymplecticEuler>>();
     else
-        return Scene::valid;
+        return Composition<dim, Items...>::valid;
 }
 
 } // namespace detail

@@ -13,11 +13,22 @@ template <class... Items>
 struct ListRules {
     /// True, or a compile error that names the broken rule.
     static constexpr bool check() {
-        return (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...) &&
-               (check_terms<Items>(typename Items::terms{}) && ...) && (check_company<Items>() && ...);
+        if constexpr ((check_item<Items>() && ...))
+            return (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...) &&
+                   (check_terms<Items>(typename Items::terms{}) && ...) && (check_company<Items>() && ...);
+        else
+            return false;
     }
 
 private:
+    template <class Item>
+    static constexpr bool check_item() {
+        if constexpr (!IsPhase<Item> && !IsCoupling<Item>)
+            return break_rule<
+                rules::NotAPhaseOrCoupling<Item, list_structs_derived_from_Fluid_Solid_Wall_or_Coupling>>();
+        else
+            return true;
+    }
     template <class P>
     static constexpr bool check_listed_once() {
         if constexpr (((std::is_same_v<P, Items> ? 1 : 0) + ...) > 1)

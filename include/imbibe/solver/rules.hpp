@@ -29,6 +29,8 @@ struct list_the_phase_in_the_solver;
 struct list_the_coupling_in_the_solver;
 struct list_a_term_that_uses_it_or_look_at_another;
 struct write_float_or_double;
+struct give_it_one_such_as_SymplecticEuler;
+struct list_structs_derived_from_Fluid_Solid_Wall_or_Coupling;
 struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
 struct list_it_in_a_phase_or_coupling_or_do_not_name_it;
@@ -158,6 +160,16 @@ struct NotRealNumbers {
 template <class Given, class Advice>
 struct NoIntegrator {
     static_assert(never<Given>, "imbibe: the solver has no integrator, but this phase or coupling in its place");
+};
+/// Rule: an integrator has a step of the engine.
+template <class Given, class Advice>
+struct NotAnIntegrator {
+    static_assert(never<Given>, "imbibe: the third argument of a solver is no integrator");
+};
+/// Rule: behind the integrator a solver lists its phases and couplings.
+template <class Given, class Advice>
+struct NotAPhaseOrCoupling {
+    static_assert(never<Given>, "imbibe: the solver lists this, which is no phase and no coupling");
 };
 /// Rule: a field is set by one term only.
 template <class Field, class TermOne, class TermTwo, class Phase, class Advice>

@@ -30,10 +30,8 @@ class IMBIBE_PER_BUILD Solver {
 public:
     /// What the compiler worked out: fields, rows, plans.
     using Scene = Composition<dim, Items...>;
-    // Each says by itself what is wrong, once.
-    static_assert(detail::check_dimension<dim>() || true);
-    static_assert(detail::check_numbers<Real_>() || true);
-    static_assert(detail::check_scene<Integrator_, Scene>() || true);
+    // It says by itself what is wrong, once.
+    static_assert(detail::check_scene<dim, Real_, Integrator_, Items...>() || true);
 
     /// The type of all stored numbers.
     using Real = Real_;
@@ -343,7 +341,7 @@ private:
     // Has the scene an integrator, and does it name phases of the scene?
     template <class I>
     static constexpr bool check_integrator() {
-        if constexpr (detail::IsPhase<I> || detail::IsCoupling<I>)
+        if constexpr (!detail::IsIntegrator<I>)
             return false; // an error of its own
         else if constexpr (requires { typename I::Fast; })
             return in_the_scene<typename I::Fast, Phases, list_the_phase_in_the_solver>();
@@ -507,7 +505,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
         s.material.spacing = spacing;
         s.material.support_radius = support;
     }
-    detail::note_doubts_of<dim>(warnings_, s.material, name);
+    detail::note_doubts_of_material<dim>(warnings_, s.material, name);
     const int before = s.size();
     s.resize(before + static_cast<int>(points.size()));
     const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
@@ -552,7 +550,7 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
     engine_.search_neighbours();
     if (anew) {
         if (steps_ == 0) // what is added to a run comes where there is room, or motion has brought the two together
-            detail::note_doubts(warnings_, engine_, settings_.origin, Phases{}, Couplings{});
+            detail::note_doubts_of_scene(warnings_, engine_, settings_.origin, Phases{}, Couplings{});
         engine_.template run<typename Scene::Once>(0);
     }
     if constexpr (steps_are_defined && requires { Integrator::start(engine_); })

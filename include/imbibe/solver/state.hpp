@@ -59,11 +59,6 @@ public:
         return column(offset<F>);
     }
     template <class F>
-    static constexpr void check_stored() {
-        if constexpr (!stores<F>)
-            break_rule<rules::FieldNotStored<F, P, list_a_term_that_uses_it_or_look_at_another>>();
-    }
-    template <class F>
     auto view(F) {
         check_stored<F>();
         constexpr int columns = components(F::rank, dim);
@@ -245,6 +240,12 @@ public:
     }
 
 private:
+    // One error where a phase has no such field.
+    template <class F>
+    static constexpr void check_stored() {
+        if constexpr (!stores<F>)
+            break_rule<rules::FieldNotStored<F, P, list_a_term_that_uses_it_or_look_at_another>>();
+    }
     // Room for the widest pack beyond the end, and an odd number of cache lines, so that the same particle's
     // components do not compete for one place in the cache.
     static std::size_t stride_for(int count) {

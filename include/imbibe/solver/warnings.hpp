@@ -180,7 +180,7 @@ std::string warning_of_other_support(const Engine& engine) {
 
 /// Notes what is doubtful about the material of a phase, as soon as that has its particles.
 template <int dim, class P>
-void note_doubts_of(Warnings& warnings, const P& material, const std::string& name) {
+void note_doubts_of_material(Warnings& warnings, const P& material, const std::string& name) {
     warnings.note(warning_of_support<dim>(material.support_radius / material.spacing, name));
     if constexpr (requires { material.warning(name); })
         warnings.note(material.warning(name));
@@ -189,7 +189,8 @@ void note_doubts_of(Warnings& warnings, const P& material, const std::string& na
 /// Notes what is doubtful about how the particles of a scene lie, and about what its couplings count.
 /// @param engine after a search, @param origin of its coordinates, m
 template <class Engine, class Origin, class... P, class... C>
-void note_doubts(Warnings& warnings, const Engine& engine, const Origin& origin, TypeList<P...>, TypeList<C...>) {
+void note_doubts_of_scene(Warnings& warnings, const Engine& engine, const Origin& origin, TypeList<P...>,
+                          TypeList<C...>) {
     (engine.template with_link_of<C>(
          [&](const auto& link) { warnings.note(warning_of_overlap(link, engine, origin)); }),
      ...);

@@ -11,7 +11,7 @@ namespace imbibe {
 struct give_it_a_whole_number_from_1_on_such_as_7_of_water;
 
 namespace rules {
-/// Rule: an equation of state has an exponent by which the pressure grows with the density.
+/// Rule: the exponent of an equation of state is a whole number from 1 on.
 template <class Equation, class Advice>
 struct ExponentBelowOne {
     static_assert(sizeof(Equation) == 0, "imbibe: the exponent of this equation of state is below 1");
