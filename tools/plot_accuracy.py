@@ -12,6 +12,7 @@ stands for time may be pair evaluations, or instructions where tools/accuracy_in
 """
 
 import argparse
+import textwrap
 
 from picture_style import CURVES, GREY, np, plt, save
 from matplotlib.ticker import LogFormatterSciNotation, LogLocator, NullFormatter
@@ -123,7 +124,7 @@ def main():
         spread = [error - [row["least error"] for row in group], [row["greatest error"] for row in group] - error]
         panel.errorbar(time, error, yerr=np.maximum(spread, 0), color=CURVES[k % len(CURVES)],
                        marker=markers[k // len(CURVES) % len(markers)], markersize=4.5, linewidth=1.1, capsize=2,
-                       label=labels[choice])
+                       label=textwrap.fill(labels[choice], 44))
         for row in group:
             panel.annotate(row[join], (row[arguments.time], row["error"]), textcoords="offset points", xytext=(4, 4),
                            fontsize=6.5, color=GREY)
