@@ -27,11 +27,15 @@ struct ShearFromPairs : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationG
 template <class Plate>
 accuracy::Outcome period(const accuracy::Choices& choose) {
     const int across = static_cast<int>(choose.number("across"));
+    const double support = choose.number("support");
+    sph::require(!std::is_same_v<Plate, ShearFromPairs> || support >= 2,
+                 "PairwiseShearForce takes 2 spacings of support and more; with ", support,
+                 " the plate does not swing");
     const double young = choose["modulus"] == "modulus for its layers"
                              ? sph::bending_modulus(plate_case::young_modulus, across)
                              : plate_case::young_modulus;
-    const auto seen = plate_case::swing(plate_case::rubber<Plate>(young),
-                                        {.across = across, .support_ratio = choose.number("support"), .periods = 5});
+    const auto seen =
+        plate_case::swing(plate_case::rubber<Plate>(young), {.across = across, .support_ratio = support, .periods = 5});
     sph::require(seen.peaks.size() == 5, "the plate swung ", seen.peaks.size(), " times where 5 were expected");
     return {std::abs(seen.period() / 0.2552 - 1), seen.pair_evaluations};
 }
