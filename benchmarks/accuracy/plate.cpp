@@ -29,8 +29,7 @@ accuracy::Outcome period(const accuracy::Choices& choose) {
     const int across = static_cast<int>(choose.number("across"));
     const double support = choose.number("support");
     sph::require(!std::is_same_v<Plate, ShearFromPairs> || support >= 2,
-                 "PairwiseShearForce takes 2 spacings of support and more; with ", support,
-                 " the plate does not swing");
+                 "PairwiseShearForce takes 2 spacings of support and more, not ", support);
     const double young = choose["modulus"] == "modulus for its layers"
                              ? sph::bending_modulus(plate_case::young_modulus, across)
                              : plate_case::young_modulus;
