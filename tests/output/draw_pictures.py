@@ -145,9 +145,9 @@ def refuse_bad_input(folder, run):
     tool("plot_accuracy.py", no_text, "-o", picture, fails="it is no text")
     row = "0.1,1e-3,1e-3,1e-3,0.5,1000,0,\n"
     tool("plot_accuracy.py", written("study.csv", STUDY + row + row.replace("1e-3", "4e-3")), "-o", picture)
-    two_axes = "kernel," + STUDY + "".join(f"{kernel},{spacing},{error},{error},{error},{seconds},1000,0,\n" for
-                                           kernel, spacing, error, seconds in (("a", 0.2, 0.04, 1), ("a", 0.1, 0.02, 4),
-                                                                               ("b", 0.2, 0.03, 2), ("b", 0.1, 0.01, 6)))
+    two_axes = "kernel," + STUDY + "".join(  # the finest first: it is the work that says which that is
+        f"{kernel},{spacing},{error},{error},{error},{seconds},{pairs},0,\n" for kernel, spacing, error, seconds, pairs in
+        (("a", 0.1, 0.02, 4, 8e3), ("a", 0.2, 0.04, 1, 1e3), ("b", 0.1, 0.01, 6, 8e3), ("b", 0.2, 0.03, 2, 1e3)))
     bought = tool("plot_accuracy.py", written("two.csv", two_axes), "--join", "spacing", "--buys", "-o", picture)
     assert "| b | 0.1 | 1.50 | 1.00% | 2.00% |" in bought, bought
     for table, said in ((STUDY + row + "0.1,1e-3\n", "number 2, that is not of 8 columns"),
