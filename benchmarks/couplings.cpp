@@ -117,13 +117,12 @@ void write_curves(const std::filesystem::path& path, const std::vector<std::stri
     }
 }
 
-/// Bisects the CFL number with which each coupling still carries the scene to its end, its value within 5 % of that
+/// Bisects the greatest CFL number with which each coupling carries the scene to its end, its value within 5 % of that
 /// with the usual one, and prints a table.
 void print_edges(const std::string& name, const SceneToRun& scene, const std::string& only) {
     constexpr double allowed = 0.05, lowest = 0.1, highest = 2; // 2: more the settings do not take
     std::printf("\n%s, how long steps can be\n\n| coupling | greatest CFL number | mean step there [us] | with a CFL "
-                "number of %g "
-                "[us] | what limits that | what happens beyond |\n|---|---|---|---|---|---|\n",
+                "number of %g [us] | what limits that | what happens beyond |\n|---|---|---|---|---|---|\n",
                 name.c_str(), scene.usual.cfl);
     for (const Named& contact : scene.contacts) {
         if (!only.empty() && only != contact.name)
@@ -154,10 +153,8 @@ void print_edges(const std::string& name, const SceneToRun& scene, const std::st
             }
             return stable;
         });
-        std::printf("| %s | %s%.2g | %.3g | %.3g | %s | %s |\n", contact.name.c_str(),
-                    largest == 0         ? "below "
-                    : largest >= highest ? "above "
-                                         : "",
+        const char* bound = largest == 0 ? "below " : largest >= highest ? "above " : "";
+        std::printf("| %s | %s%.2g | %.3g | %.3g | %s | %s |\n", contact.name.c_str(), bound,
                     largest == 0 ? lowest : largest, step * 1e6, usual.step * 1e6, usual.limit.c_str(), beyond.c_str());
         std::fflush(stdout);
     }
