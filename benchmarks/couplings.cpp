@@ -133,24 +133,19 @@ void print_edges(const std::string& name, const SceneToRun& scene, const std::st
                         usual.failure.c_str());
             continue;
         }
-        double step = 0, greatest_stable = 0, least_failed = std::numeric_limits<double>::infinity();
-        std::string beyond = "-";
+        double step = 0;          // with the greatest number that is stable, which is the last of these
+        std::string beyond = "-"; // and with the least that is not
         const double largest = sph::bench::largest_stable(lowest, 0.5 * highest, highest, [&](double cfl) {
             Numerics longer = scene.usual;
             longer.cfl = cfl;
             const Outcome outcome = contact.run(longer);
             const double off = outcome.value / usual.value - 1;
             const bool stable = outcome.failure.empty() && std::abs(off) <= allowed;
-            if (stable) {
-                if (cfl > greatest_stable) {
-                    greatest_stable = cfl;
-                    step = outcome.step;
-                }
-            } else if (cfl < least_failed) {
-                least_failed = cfl;
+            if (stable)
+                step = outcome.step;
+            else
                 beyond = outcome.failure.empty() ? sph::text(100 * off, " % off")
                                                  : outcome.failure.substr(0, outcome.failure.find(';'));
-            }
             return stable;
         });
         const char* bound = largest == 0 ? "below " : largest >= highest ? "above " : "";

@@ -38,18 +38,15 @@ std::string drift_of(const Outcome& out) {
 
 struct Bisected {
     double largest;
-    Outcome usual, beyond; // at the default CFL number, and at the first one that fails
+    Outcome usual, beyond; // at the default CFL number, and at the least one that fails
 };
 
 Bisected bisect(const Row& row, double highest) {
     Bisected result{0, row.run({.cfl = 0.4, .value = row.value, .ask = true}), {}};
-    double least_failed = 1e30;
     result.largest = sph::bench::largest_stable(0.2, 1, highest, [&](double cfl) {
         Outcome out = row.run({.cfl = cfl, .value = row.value});
-        if (!out.stable && cfl < least_failed) {
-            least_failed = cfl;
+        if (!out.stable)
             result.beyond = out;
-        }
         return out.stable;
     });
     return result;
@@ -124,13 +121,10 @@ void write_frontiers(std::ostream& out, const std::vector<Frontier>& frontiers) 
         const bool rising = f.harsh > f.mild;
         const auto value = [&](double x) { return rising ? f.mild * x : f.mild / x; };
         const double most = rising ? f.harsh / f.mild : f.mild / f.harsh;
-        double least_failed = 1e30;
         const double largest = sph::bench::largest_stable(1, 1, most, [&](double x) {
             const Outcome now = f.run({.cfl = 0.4, .value = value(x)});
-            if (!now.stable && x < least_failed) {
-                least_failed = x;
+            if (!now.stable)
                 beyond = now;
-            }
             return now.stable;
         });
         const auto shown = [&](double x) {

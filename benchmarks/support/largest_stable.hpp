@@ -8,6 +8,7 @@ namespace imbibe::bench {
 
 /// The largest value that is stable, of those between `low` and `high`, to 4 %: at first steps of a factor sqrt(2) from
 /// `start` until the verdict changes, then halves. 0 if not even `low` is stable, `high` if that is.
+/// Of the values that it tries each stable one is greater than those before, and each other one less.
 template <class IsStable>
 double largest_stable(double low, double start, double high, const IsStable& is_stable) {
     double good = 0, bad = 0, at = start;

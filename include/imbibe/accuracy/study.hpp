@@ -125,7 +125,7 @@ public:
             require(known != name, "accuracy: there are two axes '", name, "'");
         for (const auto& [replaced, others] : instead_)
             if (replaced == name)
-                check_instead(name, choices, others);
+                check_choices(name, choices, others);
         axes_.emplace_back(name, choices);
         return *this;
     }
@@ -136,7 +136,7 @@ public:
         require(!choices.empty(), "accuracy: no choices are given for the axis '", name, "'");
         for (const auto& [known, values] : axes_)
             if (known == name)
-                check_instead(name, values, choices);
+                check_choices(name, values, choices);
         instead_.emplace_back(name, choices);
         return *this;
     }
@@ -234,7 +234,7 @@ private:
                     values = others;
         return all;
     }
-    static void check_instead(const std::string& axis, const std::vector<std::string>& known,
+    static void check_choices(const std::string& axis, const std::vector<std::string>& known,
                               const std::vector<std::string>& wanted) {
         const bool numbers = Choices::number_in(known.front()).has_value();
         for (const std::string& one : wanted)
@@ -264,7 +264,7 @@ private:
                 require_axis(name);
                 for (const auto& [axis, values] : axes_)
                     if (axis == name)
-                        check_instead(name, values, {value});
+                        check_choices(name, values, {value});
                 one.set(name, value);
                 for (const auto& [axis, values] : axes)
                     is_chosen &= axis != name || std::find(values.begin(), values.end(), value) != values.end();

@@ -49,7 +49,7 @@ namespace imbibe {
 /// listed, would count it twice. A term says `using effect = effects::pressure_force;`.
 namespace effects {
 struct continuity_equation; ///< the rate of the density by the motion
-struct pressure_force;      ///< that of the pressure, or of all of a solid's stress, by whatever neighbours
+struct pressure_force;      ///< that of the pressure, or of all of a solid's stress, over present neighbours or others
 struct viscous_force;       ///< that of the physical viscosity
 struct density_diffusion;   ///< what smooths the density over the neighbours
 struct velocity_gradient;   ///< the gradient that rates of stress are made of
