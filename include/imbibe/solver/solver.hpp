@@ -28,17 +28,18 @@ struct PhaseHandle {};
 template <int dim, class Real_, class Integrator_, class... Items>
 class IMBIBE_PER_BUILD Solver {
 public:
-    /// What the compiler worked out: fields, rows, plans.
-    using Scene = Composition<dim, Items...>;
     // It says by itself what is wrong, once.
     static_assert(detail::check_scene<dim, Real_, Integrator_, Items...>() || true);
+
+    /// 2 or 3.
+    static constexpr int dimension = dim == 2 ? 2 : 3; // of any other, one error is enough
+    /// What the compiler worked out: fields, rows, plans.
+    using Scene = Composition<dimension, Items...>;
 
     /// The type of all stored numbers.
     using Real = Real_;
     /// How a step is made of rates.
     using Integrator = Integrator_;
-    /// 2 or 3.
-    static constexpr int dimension = dim;
     /// How many numbers the processor computes at once.
     static constexpr int width = native_width<Real>;
     /// The phases of the scene.
@@ -49,7 +50,7 @@ public:
     template <class P>
     using FieldsOf = typename Scene::template FieldsOf<P>;
     /// Holds the particles and runs the loops; for integrators and for parts of the library.
-    using Engine = detail::Engine<dim, Real, Scene>;
+    using Engine = detail::Engine<dimension, Real, Scene>;
     /// How the particles of a phase are stored.
     template <class P>
     using State = typename Engine::template State<P>;
@@ -64,9 +65,10 @@ public:
         engine_.search_interval = std::min(with.search_interval, 1 << 30); // it is added to
         engine_.search_skin = with.search_interval > 1 || subcycles ? with.search_skin : 0;
         engine_.threads = with.threads > 0 ? with.threads : available_threads();
-        for (std::size_t d = 0; d < dim; ++d)
+        for (std::size_t d = 0; d < dim; ++d) {
             engine_.periodic.lower[d] = with.periodic_lower[d] - with.origin[d];
-        engine_.periodic.length = with.periodic_length;
+            engine_.periodic.length[d] = with.periodic_length[d];
+        }
     }
 
     // ---- building the scene ----
