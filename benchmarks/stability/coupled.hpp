@@ -162,9 +162,10 @@ Outcome free_fall(const Plan& plan) {
 
 /// A block that is `value` times as heavy as water is let go on a pool. Row 8: what it has to push is its added mass.
 template <class C, class Real = double, int dim = 2>
-Outcome light_block(const Plan& plan) {
+Outcome block_on_pool(const Plan& plan) {
     constexpr double wide = dim == 2 ? 20 : 14, deep = dim == 2 ? 8 : 6, off = C::gap * dx, inner = wide * dx + 2 * off, surface = deep * dx + off;
-    const double c = 10 * std::sqrt(2 * g * deep * dx), unit = std::sqrt(deep * dx / g);
+    // The film under a sinking block has to stop the block, not the water alone.
+    const double c = 10 * std::sqrt(2 * g * deep * dx * std::max(1.0, plan.value)), unit = std::sqrt(deep * dx / g);
     auto scene = coupled_scene<C, Real, dim>(c);
     add_water<typename C::Fluid>(scene, pool<typename C::Fluid, dim>(wide, deep), c);
     add_tank<typename C::Fluid>(scene, box<dim>({0, 0}, {inner, inner}), c);

@@ -11,10 +11,13 @@ void add(Table& table, const std::string& name) {
         table.rows.push_back({"Coupled", name, scene, value, run});
     };
     row("water on a plate, 1 m/s", water_on_plate<C, Real, dim>, 1);
-    row("block as heavy as water", light_block<C, Real, dim>, 1);
-    row("block of a tenth", light_block<C, Real, dim>, 0.1);
+    row("block as heavy as water", block_on_pool<C, Real, dim>, 1);
+    row("block of a tenth", block_on_pool<C, Real, dim>, 0.1);
+    row("block ten times as heavy", block_on_pool<C, Real, dim>, 10);
     table.frontiers.push_back(
-        {name, "block on a pool", "density / that of water", 1, 0.002, light_block<C, Real, dim>});
+        {name, "block on a pool", "density / that of water", 1, 0.002, block_on_pool<C, Real, dim>});
+    table.frontiers.push_back(
+        {name, "heavy block on a pool", "density / that of water", 1, 20, block_on_pool<C, Real, dim>});
     table.frontiers.push_back({name, "water on a plate", "speed / c", 0.01, 0.5, [](Plan plan) {
                                    plan.value *= 30; // m/s
                                    return water_on_plate<C, Real, dim>(plan);

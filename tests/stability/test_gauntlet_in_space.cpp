@@ -39,5 +39,5 @@ TEST_CASE("In space water falls on a plate, and a light block is let go on a poo
     if (imbibe_test::sanitized)
         return; // half an hour; the sponge's tests run the same loops
     check_preset_in_space(stability::water_on_plate<SoundCoupling, float, 3>, 1);
-    check_preset_in_space(stability::light_block<SoundCoupling, float, 3>, 0.05);
+    check_preset_in_space(stability::block_on_pool<SoundCoupling, float, 3>, 0.05);
 }

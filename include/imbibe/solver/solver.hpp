@@ -294,9 +294,13 @@ public:
     /// which writes it or reads it back, in the order of this function. Particles are sorted, so views end here.
     template <class Archive>
     void archive(Archive& archive) {
+        // Both sort, and search at the next step: so this run and one that is continued from here stay the same. What is
+        // written is sorted: a second time, or where one was written at the step before, it is the same bytes.
         if constexpr (Archive::reading) {
             check_phases(Phases{});
             check_couplings(Couplings{});
+        } else {
+            engine_.search_neighbours();
         }
         engine_.archive_particles(archive);
         archive(time_);
@@ -307,9 +311,8 @@ public:
         if constexpr (Archive::reading) {
             engine_.find_reference_neighbours();
             prepared_ = true;
+            engine_.search_neighbours();
         }
-        // Both sort here, and search at the next step: so this run and one that is continued from here stay the same.
-        engine_.search_neighbours();
         engine_.forget_neighbours();
         engine_.archive_motion(archive);
     }
