@@ -65,7 +65,9 @@ int main(int argc, char** argv) {
     app.add_option("--axis", axes, "choices in place of those of the case: \"NAME=ONE;ANOTHER\"; once for each axis")
         ->allow_extra_args(false);
     app.add_flag("--combine", combine, "every combination, not one choice at a time");
-    app.add_option("--repeat", repetitions, "runs of each choice, where a case jitters its start: the error bars")
+    app.add_option("--repeat", repetitions,
+                   "runs of each choice, in taylor-green, poiseuille, dam-break and cylinders, whose starts "
+                   "are jittered then: the error bars")
         ->check(CLI::Range(1, 1000));
     app.add_option("--row", row_alone, "this row of the table alone, counted from 0, without repetitions");
     CLI11_PARSE(app, argc, argv);

@@ -34,7 +34,8 @@ accuracy::Outcome period(const accuracy::Choices& choose) {
                              ? sph::bending_modulus(plate_case::young_modulus, across)
                              : plate_case::young_modulus;
     const auto seen =
-        plate_case::swing(plate_case::rubber<Plate>(young), {.across = across, .support_ratio = support, .periods = 5});
+        plate_case::swing(plate_case::rubber<Plate>(young),
+                          {.across = across, .support_ratio = support, .periods = 5, .cfl = choose.number("cfl")});
     sph::require(seen.peaks.size() == 5, "the plate swung ", seen.peaks.size(), " times where 5 were expected");
     return {std::abs(seen.period() / 0.2552 - 1), seen.pair_evaluations};
 }
@@ -51,7 +52,7 @@ Rows plate(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"4", "6"} : Words{"4", "6", "10", "16"});
     compositions.add_to(study);
     study.axis("modulus", {"modulus of the material", "modulus for its layers"});
-    study.axis("support", {"1.5", "2", "2.6"});
+    study.axis("support", {"1.5", "2", "2.6"}).axis("cfl", {"0.4"});
     study.also({{"force", "shear from pairs, with viscosity"}, {"support", "2"}}); // which it needs: PairwiseShearForce
     return study.one_at_a_time(compositions, {"across"});
 }

@@ -36,8 +36,11 @@ accuracy::Outcome plates(const accuracy::Choices& choose) {
          .periodic_length = {length, 0},
          .threads = 1});
     const sph::Box<2> between{{0, 0}, {length, gap}};
+    // From the second repetition on the particles begin off their lattice by up to a twentieth of a spacing.
     const auto oil = scene.add(Oil{{.density = 1000, .sound_speed = 1e-3, .viscosity = 1000 * nu}},
-                               sph::fill(between, spacing), spacing);
+                               sph::jitter(sph::fill(between, spacing), choose.repetition > 0 ? 0.05 * spacing : 0,
+                                           static_cast<std::uint64_t>(choose.repetition)),
+                               spacing);
     scene.add(Plates{{.density = 1000}},
               sph::tank(between, spacing, static_cast<int>(std::ceil(H / spacing)), sph::Sides::x), spacing);
     scene.run_until(end);

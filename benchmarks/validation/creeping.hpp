@@ -60,8 +60,8 @@ Parts<dim> part(const std::vector<sph::Point<dim>>& lattice, double spacing, con
 /// else makes the units are 1.
 template <class K, class Real, int dim>
 Scene<dim, K, Real> scene_of(const Parts<dim>& parts, const sph::Point<dim>& cell, const sph::Point<dim>& force,
-                             double spacing, double support, double sound_speed, int threads = 1) {
-    sph::Settings<dim> settings{.support_radius = support * spacing, .threads = threads};
+                             double spacing, double support, double sound_speed, int threads = 1, double cfl = 0.4) {
+    sph::Settings<dim> settings{.support_radius = support * spacing, .cfl = cfl, .threads = threads};
     for (int d = 0; d < dim; ++d) {
         settings.gravity[static_cast<std::size_t>(d)] = force[d];
         settings.periodic_length[static_cast<std::size_t>(d)] = cell[d];

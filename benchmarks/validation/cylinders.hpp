@@ -11,6 +11,9 @@
 
 #include "creeping.hpp"
 
+#include <imbibe/geometry/jitter.hpp>
+
+#include <cstdint>
 #include <numbers>
 
 namespace validation::cylinders {
@@ -21,16 +24,25 @@ struct Flow {
     double pair_evaluations; ///< the work, see imbibe::accuracy
 };
 
+/// What may be varied beside the fineness.
+struct Numerics {
+    double support = 3;     ///< in spacings
+    double cfl = 0.4;       ///< share of the shortest limit that a step takes
+    double jitter = 0;      ///< how far the liquid's particles begin off their lattice, spacings
+    std::uint64_t seed = 0; ///< of the jitter
+};
+
 /// F/(mu U) for a solid fraction c, with the force at an angle to the rows of cylinders.
-/// @tparam K the kernel, @param support in spacings
+/// @tparam K the kernel
 template <class K = sph::QuinticSpline, class Real = double>
-Flow flow(int across, double fraction, double degrees = 0, double support = 3) {
+Flow flow(int across, double fraction, double degrees = 0, const Numerics& with = {}) {
     const double spacing = 1.0 / across, force = 0.1, angle = degrees * std::numbers::pi / 180;
     const double radius = std::sqrt(fraction / std::numbers::pi);
     const sph::Point<2> cell(1, 1), along(std::cos(angle), std::sin(angle));
-    const auto parts = creeping::part<2>(sph::fill(sph::Box<2>{{0, 0}, cell}, spacing), spacing, cell / 2, fraction,
-                                         [&](const auto& x) { return x.norm() < radius; });
-    auto scene = creeping::scene_of<K, Real, 2>(parts, cell, force * along, spacing, support, 100);
+    auto parts = creeping::part<2>(sph::fill(sph::Box<2>{{0, 0}, cell}, spacing), spacing, cell / 2, fraction,
+                                   [&](const auto& x) { return x.norm() < radius; });
+    parts.liquid = sph::jitter(parts.liquid, with.jitter * spacing, with.seed);
+    auto scene = creeping::scene_of<K, Real, 2>(parts, cell, force * along, spacing, with.support, 100, 1, with.cfl);
     // The slowest to start is the thinnest array, with about exp(-15 t): what is missing at the end is below 0.1 %.
     const double U = creeping::steady_flux<K>(scene, along, spacing, 0.02);
     return {force / U, sph::accuracy::pair_evaluations(scene)};

@@ -46,6 +46,7 @@ struct Run {
     double V_f = 0.01;       ///< the first speed of the end in terms of the speed of sound
     double thickness = 0.02; ///< m
     Root root = Root::rigid;
+    double cfl = 0.4; ///< share of the shortest limit that a step takes
 };
 
 /// The first mode of a cantilever, 1 at x = L (Landau and Lifshitz); nothing in the root.
@@ -71,7 +72,7 @@ template <class Plate>
 Swings swing(const Plate& material, const Run& run) {
     const double spacing = run.thickness / run.across;
     sph::Solver<2, double, sph::SymplecticEuler, Plate> scene(
-        {.support_radius = run.support_ratio * spacing, .threads = 1});
+        {.support_radius = run.support_ratio * spacing, .cfl = run.cfl, .threads = 1});
     const bool rigid = run.root == Root::rigid;
     const double root = rigid ? std::ceil(2 * run.support_ratio) * spacing : 0.06; // more than a particle can see
     const double face = run.thickness / 2, rows = rigid ? 0 : 3 * spacing;

@@ -129,7 +129,7 @@ TEST_CASE("A study runs one of its rows alone, and that once", "[accuracy]") {
     often.repeat_instead(2).axis("n", {"1"}).repeat(5);
     often.run([&](const accuracy::Choices& choices) -> accuracy::Outcome {
         seen.push_back(words(choices) + std::to_string(choices.repetition));
-        return {0};
+        return {0.1 * choices.repetition};
     });
     CHECK(seen == std::vector<std::string>{"1 0", "1 1"});
     CHECK_THROWS_WITH(often.repeat_instead(0), contains("0 repetitions; it must be at least 1"));
@@ -175,6 +175,19 @@ TEST_CASE("A program's user may choose for a study", "[accuracy]") {
     CHECK(run == All{"b "});
     REQUIRE_THROWS_WITH(seen(accuracy::Study{}.instead("m", {"1"})), contains("no axis 'm'; it has 'n', 'kernel'"));
     REQUIRE_THROWS_WITH(accuracy::Study{}.instead("m", {}), contains("no choices are given for the axis 'm'"));
+}
+
+TEST_CASE("A study does not repeat what is always the same", "[accuracy]") {
+    accuracy::Study study;
+    study.axis("n", {"1", "2"});
+    int runs = 0;
+    const auto same = [&runs](const accuracy::Choices& choose) {
+        ++runs;
+        return accuracy::Outcome{0.1 / choose.number("n")};
+    };
+    CHECK(study.run(same).size() == 2);
+    CHECK_THROWS_WITH(study.repeat(3).run(same), contains("the error is 0.1 in each of 3 repetitions"));
+    CHECK(runs == 5); // noticed after the first choices
 }
 
 TEST_CASE("A study says what is wrong with it", "[accuracy]") {

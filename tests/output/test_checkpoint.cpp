@@ -337,7 +337,12 @@ TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpo
 
     auto hopeless = make<float>(1000, 1, 20 * limit);
     sph::Guard<2> again({.interval = 1});
-    CHECK_THROWS_AS(sph::run_and_recover(hopeless, 0.3, again, path, 1e6, 1, [](const sph::Error&) {}), sph::Error);
+    const std::string kept = ". The particles as they were: " + path.string() + ".broken";
+    bool told = false; // where the particles are, each time and at last
+    const auto tell = [&](const sph::Error& error) { told = std::string(error.what()).ends_with(kept); };
+    CHECK_THROWS_WITH(sph::run_and_recover(hopeless, 0.3, again, path, 1e6, 1, tell),
+                      imbibe_test::contains(kept));
+    CHECK(told);
     auto good = make<float>(1000, 1, 20 * limit); // both are on the disk: the last good state and what went wrong
     sph::read_checkpoint(good, path);
     CHECK(good.time() < hopeless.time());

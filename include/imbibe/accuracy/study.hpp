@@ -153,8 +153,9 @@ public:
         combined_ = true;
         return *this;
     }
-    /// Runs every choice so often, with another `Choices::repetition` each time: the error bars, where a case uses it
-    /// to jitter its start.
+    /// Runs every choice so often, with another `Choices::repetition` each time, by which a case jitters its start: the
+    /// error bars. A run throws Error where the first choices give the same error each time, to the last digit: the
+    /// case then does not look at the repetition, and the bars would have no length.
     Study& repeat(int times) {
         repetitions_ = repetitions(times);
         return *this;
@@ -226,6 +227,7 @@ private:
         require(times >= 1, "accuracy: ", times, " repetitions; it must be at least 1");
         return times;
     }
+    int times() const { return only_ ? 1 : repetitions_instead_.value_or(repetitions_); }
     Axes chosen() const {
         Axes all = axes_;
         for (const auto& [replaced, others] : instead_)
@@ -298,6 +300,11 @@ private:
             if (tell_)
                 tell_(all[k], k, all.size());
             rows.push_back(measure(all[k], what));
+            const Row& row = rows.back();
+            require(rows.size() > 1 || times() == 1 || row.least_error < row.greatest_error || !row.failure.empty(),
+                    "accuracy: the error is ", row.error, " in each of ", times(),
+                    " repetitions: the case does not jitter its start by Choices::repetition, so there are no error "
+                    "bars; run it without repetitions");
         }
         mark_front(rows);
         return rows;
@@ -317,14 +324,13 @@ private:
     Row measure(const Choices& choices, const Case& what) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         Row row{choices, 0, infinity, 0, infinity, 0, false, {}};
-        const int times = only_ ? 1 : repetitions_instead_.value_or(repetitions_);
-        for (int k = 0; k < times; ++k) {
+        for (int k = 0; k < times(); ++k) {
             Choices mine = choices;
             mine.repetition = k;
             const std::clock_t begin = std::clock(); // of the processor: other programs on the machine do not count
             const Outcome outcome = outcome_of(what, mine, row.failure);
             row.seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-            row.error += outcome.error / times;
+            row.error += outcome.error / times();
             row.least_error = std::min(row.least_error, outcome.error);
             row.greatest_error = std::max(row.greatest_error, outcome.error);
             row.pair_evaluations = std::max(row.pair_evaluations, outcome.pair_evaluations);

@@ -155,7 +155,9 @@ std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
 /// what the next time step depends on. A checkpoint that was there before is kept as `<path>.previous`.
 ///
 /// The file is written beside its place, forced to the disk and then given its name in one step: whenever the program
-/// ends, there is a whole checkpoint. It begins with a readable description of the scene and ends with a checksum.
+/// ends, there is a whole checkpoint. What was written to the same file system before it, tables and snapshots, is
+/// forced to the disk first, so that after a power cut they are not behind it. It begins with a readable description of
+/// the scene and ends with a checksum.
 ///
 /// The run that goes on and one that is continued from the file both sort their particles here (views end) and find
 /// neighbours anew at the next step, and stay the same to the last bit. A run that writes none goes the same way only

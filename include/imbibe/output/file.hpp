@@ -72,13 +72,15 @@ public:
         check();
         rename();
     }
-    /// The same, but waits until the bytes are on the disk, and then the name. @param before called between the two
+    /// The same, but waits until the bytes are on the disk, with all that was written to its file system before (a
+    /// table or snapshots that this file counts on), and then the name. @param before called between the two
     template <class F>
     void commit_to_disk(const F& before) {
         out_.close();
         check();
         if (!force(temporary_))
             refuse();
+        force_what_was_written_before();
         before();
         rename();
         force(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
@@ -111,6 +113,18 @@ private:
         }
 #endif
         return true;
+    }
+    // What a disk refused of other files, those who wrote them have been told.
+    void force_what_was_written_before() const {
+#if defined(__linux__)
+        const int file = ::open(temporary_.c_str(), O_RDONLY);
+        if (file >= 0) {
+            ::syncfs(file);
+            ::close(file);
+        }
+#elif __has_include(<unistd.h>)
+        ::sync();
+#endif
     }
     void check() const {
         if (!out_.good())

@@ -26,8 +26,10 @@ std::string keep_offending_state(const Scene& scene, const std::filesystem::path
 /// before it is written; the first as the scene is now, so that one which is bad already is refused at once. Where the
 /// guard, or the solver, stops the run, its particles are written to the folder `<checkpoint>.broken`, for ParaView,
 /// and the scene goes back to the last checkpoint and goes on with steps half as long, at most `retries` times;
-/// `returned(error)` is told so each time, once the scene is back. Observers see time go back then: `every` calls at
-/// once where it goes back to, and snapshots and tables over time replace what came after.
+/// `returned(error)` is told so each time, once the scene is back, and where the particles are that went wrong.
+/// Observers see time go back then: `every` calls at once where it goes back to, and snapshots and tables over time
+/// replace what came after. The shorter steps are of this scene: one that reads the checkpoint later begins with those
+/// of its own settings.
 /// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up, or there is nothing
 /// good to begin with; at once what an observer throws that is not Diverged, or a disk that takes no more checkpoints:
 /// shorter steps would not help
@@ -54,24 +56,30 @@ void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::fil
         if (checkpoints.due(s))
             guard.look(s);
     };
-    for (;; --retries)
+    // Out of retries: the error goes on, as what it is.
+    const auto go_back = [&](const auto& error) {
+        if (retries-- <= 0)
+            throw error;
+        try {
+            read_checkpoint(scene, checkpoint);
+        } catch (const Error& unreadable) {
+            throw Error(text(error.what(), "; and the scene cannot go back, because of the ", unreadable.what()));
+        }
+        scene.shorten_steps(0.5);
+        guard.start_anew();
+        returned(error);
+    };
+    const auto kept = [&] { return keep_offending_state(scene, checkpoint.string() + ".broken"); };
+    for (;;)
         try {
             scene.run_until(end, guard, watched(observers)..., look_if_due, watched(checkpoints));
             return;
+        } catch (const Diverged& found) {
+            go_back(Diverged(found.what() + kept(), found.cause, found.phase, found.position, found.time, found.steps));
         } catch (const Error& error) {
             if (of_observer)
                 throw;
-            keep_offending_state(scene, checkpoint.string() + ".broken");
-            if (retries <= 0)
-                throw;
-            try {
-                read_checkpoint(scene, checkpoint);
-            } catch (const Error& unreadable) {
-                throw Error(text(error.what(), "; and the scene cannot go back, because of the ", unreadable.what()));
-            }
-            scene.shorten_steps(0.5);
-            guard.start_anew();
-            returned(error);
+            go_back(Error(error.what() + kept()));
         }
 }
 
