@@ -81,13 +81,15 @@ double loops(const Phase& phase) {
     return engine.template state<Phase>().size();
 }
 
-/// The same for the fluid in one sweep, written by hand.
-template <class Real>
+/// The same for the fluid, written by hand.
+template <class Real, class Phase>
 double fluid_by_hand() {
-    using Phase = bench::WaterInOneSweep;
     auto engine = bench::block<Real>(bench::water<Phase>(), particles, support);
     bench::HandFluid<Real> hand(std::type_identity<Phase>{}, engine);
-    count([&] { hand.one_sweep(); });
+    if constexpr (std::is_same_v<Phase, Water>)
+        count([&] { hand.two_sweeps(0); });
+    else
+        count([&] { hand.one_sweep(); });
     return engine.template state<Phase>().size();
 }
 
@@ -116,7 +118,8 @@ void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
     cases["search_" + real] = search<Real>;
     cases["fluid_loops_" + real] = [] { return loops<Real>(bench::water<Water>()); };
     cases["fluid_loops_in_one_sweep_" + real] = [] { return loops<Real>(bench::water<bench::WaterInOneSweep>()); };
-    cases["fluid_loops_in_one_sweep_by_hand_" + real] = fluid_by_hand<Real>;
+    cases["fluid_loops_by_hand_" + real] = fluid_by_hand<Real, Water>;
+    cases["fluid_loops_in_one_sweep_by_hand_" + real] = fluid_by_hand<Real, bench::WaterInOneSweep>;
     cases["hypoelastic_loops_" + real] = [] { return loops<Real>(bench::rubber<bench::Hypoelastic>()); };
     cases["hypoelastic_loops_by_hand_" + real] = solid_by_hand<Real>;
     cases["fluid_step_" + real] = [] { return step<Real>(bench::water<Water>()); };
