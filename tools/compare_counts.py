@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compares two files of instruction counts; fails when one has grown by more than 3 %, or when a loop of the library takes
-a fifth more than the same loop by hand; 3 % more where it is of water alone and the compiler that of the stored counts.
+a fifth more than the same loop by hand; where it is of water alone and the compiler that of the stored counts, 3 % more
+for each sweep over the neighbours, at whose beginning and end the library takes some 20 instructions more a particle.
 
     python3 tools/compare_counts.py benchmarks/baseline_counts.json counts.json
 
@@ -44,7 +45,7 @@ def main():
     parser.add_argument("--by-hand", type=float, default=1.2,
                         help="how many times the instructions of a loop by hand are let pass (default: 1.2)")
     parser.add_argument("--by-hand-water", type=float, default=1.03,
-                        help="the same for water alone, the cases fluid_*, of one compiler (default: 1.03)")
+                        help="the same for a sweep of water alone, the cases fluid_*, of one compiler (default: 1.03)")
     arguments = parser.parse_args()
     (old_compiler, old), (new_compiler, new) = read(arguments.old), read(arguments.new)
 
@@ -69,7 +70,8 @@ def main():
     beyond = []
     for case, ratio in sorted(over_by_hand(new).items()):
         of_water = case.startswith("fluid_") and old_compiler == new_compiler
-        most = arguments.by_hand_water if of_water else arguments.by_hand
+        sweeps = 1 if "_in_one_sweep_" in case else 2
+        most = 1 + sweeps * (arguments.by_hand_water - 1) if of_water else arguments.by_hand
         print(f"{case}: {ratio:.3f} times those by hand, at most {most:g}")
         if ratio > most:
             beyond.append(case)

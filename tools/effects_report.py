@@ -3,6 +3,10 @@
 
     cmake --preset benchmark && cmake --build --preset benchmark --target effects out_of_reach
     python3 tools/effects_report.py build-benchmark/benchmarks
+    python3 tools/effects_report.py build-benchmark/benchmarks --check
+
+With --check nothing is written: it fails where bytes, sweeps or loads are others than the page says; with --count, too,
+where what is out of reach, or a guard, costs more instructions than it may (some minutes).
 
 The cases are those of benchmarks/effects.cpp and benchmarks/out_of_reach.cpp. Bytes, sweeps and loads are constants of
 the compiler, instructions are counted by valgrind, and times are measured, each case in turn and several rounds of them,
@@ -88,6 +92,32 @@ def table_of_reach(program):
                       f"{100 * (counts['guarded'] / counts['within_reach'] - 1):.1f} %.", ""])
 
 
+def check(page, effects):
+    """What is not as the page says."""
+    wrong, base = [], None
+    for case, (size, sweeps, _, loads), effect, _ in cases_of(effects):
+        if base is None or not case.startswith(base[0]):
+            base = (case, size, sweeps, loads)
+            row = f"| **{effect}** | {size} | {sweeps} | {loads} |"
+        else:
+            row = f"| + {effect} | {size - base[1]:+d} | {sweeps - base[2]:+d} | {loads - base[3]:+d} |"
+        if f"\n{row}" not in page:
+            wrong.append(f"the page has no row that begins with {row}")
+    return wrong
+
+
+def check_counts(reach):
+    """What costs more than it may."""
+    wrong, counts = [], counts_of(reach)["counts"]
+    for words, now, before, most in [
+            ("out of reach a step", counts["out_of_reach"], counts["sponge_alone"] + counts["water_alone"], 1.03),
+            ("a guard's step", counts["guarded"], counts["within_reach"], 1.02)]:
+        print(f"{words} takes {now / before:.3f} times the instructions of one without, at most {most}")
+        if now > most * before:
+            wrong.append(f"{words} takes {now / before:.3f} times the instructions, more than {most}")
+    return wrong
+
+
 def written_between_marks(page, name, text):
     begin, end = f"<!-- {name}: begin. Written by tools/effects_report.py. -->\n", f"<!-- {name}: end -->"
     if begin not in page or end not in page:
@@ -101,9 +131,18 @@ def main():
     parser.add_argument("folder", help="where the programs effects and out_of_reach are")
     root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     parser.add_argument("--page", default=os.path.join(root, "docs", "effects.md"), help="the page to write into")
+    parser.add_argument("--check", action="store_true", help="write nothing, compare bytes, sweeps and loads")
+    parser.add_argument("--count", action="store_true", help="with --check, count instructions, too")
     arguments = parser.parse_args()
     folder = os.path.abspath(arguments.folder)
     page = read_text(arguments.page)
+    if arguments.check:
+        wrong = check(page, os.path.join(folder, "effects"))
+        if arguments.count:
+            wrong += check_counts(os.path.join(folder, "out_of_reach"))
+        if wrong:
+            end_with("; ".join(wrong) + "; write the page anew where this is meant to be")
+        return
     page = written_between_marks(page, "effects", table_of_effects(os.path.join(folder, "effects")))
     page = written_between_marks(page, "reach", table_of_reach(os.path.join(folder, "out_of_reach")))
     write_text(arguments.page, page)
