@@ -28,19 +28,23 @@ double particle_sum(const View& phase, const F& f) {
     return total;
 }
 
+/// Does the term say what a deformation of the solid stores? Only one that suits it is asked.
+template <int dim, class Solid, class Term>
+concept HasStoredEnergy = suits<Solid, Term> && requires(const Solid& solid, const Tensor<double, dim>& F) {
+    Term::stored_energy(solid, F);
+};
 /// Does a term of a solid say what a deformation stores?
 template <int dim, class Solid, class Terms>
 inline constexpr bool has_stored_energy = false;
 template <int dim, class Solid, class... Terms>
-inline constexpr bool has_stored_energy<dim, Solid, TypeList<Terms...>> =
-    (requires(const Solid& solid, const Tensor<double, dim>& F) { Terms::stored_energy(solid, F); } || ...);
+inline constexpr bool has_stored_energy<dim, Solid, TypeList<Terms...>> = (HasStoredEnergy<dim, Solid, Terms> || ...);
 
 /// What the terms of a solid say that the deformation F stores, J/m^3 of the stress-free solid.
 template <int dim, class Solid, class... Terms>
 double stored_energy(const Solid& solid, const Tensor<double, dim>& F, TypeList<Terms...>) {
     double sum = 0;
     const auto add = [&]<class Term>(std::type_identity<Term>) {
-        if constexpr (requires { Term::stored_energy(solid, F); })
+        if constexpr (HasStoredEnergy<dim, Solid, Term>)
             sum += Term::stored_energy(solid, F);
     };
     (add(std::type_identity<Terms>{}), ...);
@@ -145,6 +149,8 @@ double stored_energy(const View& phase) {
     if constexpr (State::template stores<DeformationGradientField>) {
         if constexpr (detail::has_stored_energy<dim, Phase, typename Phase::terms>)
             return elastic_energy<dim>(phase);
+        else if constexpr (!detail::suits<Phase, NeoHookean>)
+            return 0; // is not known
         else
             return detail::sum_over_deformations<dim>(phase, [&](const Tensor<double, dim>& F) {
                 return NeoHookean::stored_energy<dim>(phase.material(), F);
@@ -153,7 +159,7 @@ double stored_energy(const View& phase) {
         double energy = 0;
         if constexpr (State::template stores<Density>)
             energy += compression_energy(phase);
-        if constexpr (State::template stores<DeviatoricStress>)
+        if constexpr (State::template stores<DeviatoricStress> && requires { phase.material().shear_modulus; })
             energy += shear_energy<dim>(phase);
         return energy;
     }

@@ -48,18 +48,22 @@ public:
     void start_anew() { start_.reset(); }
 
 private:
+    // True, or a compile error that names the broken rule.
+    template <class Scene>
+    static constexpr bool check_dimension() {
+        if constexpr (Scene::dimension != dim)
+            return detail::break_rule<rules::GuardOfAnotherDimension<Guard, Guard<Scene::dimension>>>();
+        else
+            return true;
+    }
     template <class Scene>
     void look_at_particles(const Scene& scene) {
-        if constexpr (Scene::dimension != dim) {
-            detail::break_rule<rules::GuardOfAnotherDimension<Guard, Guard<Scene::dimension>>>();
-        } else {
-            scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
-                look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene), P::moves);
-            });
-            scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
-            look_at_energy(scene);
-            glance(scene);
-        }
+        scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
+            look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene), P::moves);
+        });
+        scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
+        look_at_energy(scene);
+        glance(scene);
     }
 
     GuardSettings<dim> settings_;
@@ -366,20 +370,24 @@ private:
 template <int dim>
 template <class Scene>
 void Guard<dim>::operator()(const Scene& scene) {
-    const bool at_pores = settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0;
-    if (at_pores || scene.steps() % settings_.interval == 0)
-        look_at_particles(scene);
-    else
-        glance(scene);
-    if (at_pores)
-        look_at_pores(scene);
+    if constexpr (check_dimension<Scene>()) {
+        const bool at_pores = settings_.least_pore > 0 && scene.steps() % settings_.pore_interval == 0;
+        if (at_pores || scene.steps() % settings_.interval == 0)
+            look_at_particles(scene);
+        else
+            glance(scene);
+        if (at_pores)
+            look_at_pores(scene);
+    }
 }
 template <int dim>
 template <class Scene>
 void Guard<dim>::look(const Scene& scene) {
-    look_at_particles(scene);
-    if (settings_.least_pore > 0)
-        look_at_pores(scene);
+    if constexpr (check_dimension<Scene>()) {
+        look_at_particles(scene);
+        if (settings_.least_pore > 0)
+            look_at_pores(scene);
+    }
 }
 
 /// A guard is of the dimension of its bounds.

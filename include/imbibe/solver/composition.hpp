@@ -378,13 +378,37 @@ concept IsIntegrator = requires {
     &I::template step<AnyEngine>;
 };
 
+template <class Real>
+inline constexpr bool is_real = std::is_same_v<Real, float> || std::is_same_v<Real, double>;
+
+/// Takes no steps: goes on in the place of what is no integrator, so that one error is enough.
+struct NoSteps {
+    template <class Engine>
+    static void step(Engine&, double) {}
+};
+/// The composition of a solver's arguments. Where they are wrong, a phase or coupling in the place of another counts as
+/// listed.
+template <int dim, class Real, class Integrator, class... Items>
+struct SceneOf {
+    template <class... All>
+    static Composition<dim, All...> of(TypeList<All...>);
+    template <class T>
+    struct Keep : std::bool_constant<IsPhase<T> || IsCoupling<T>> {};
+    using type = decltype(of(Unique<Concat<Filter<Keep, TypeList<Real, Integrator>>, TypeList<Items...>>>{}));
+};
+template <int dim, class Real, IsIntegrator Integrator, class... Items>
+requires is_real<Real>
+struct SceneOf<dim, Real, Integrator, Items...> {
+    using type = Composition<dim, Items...>;
+};
+
 /// True, or a compile error that names the broken rule: are the arguments of a solver what they should be, and does the
 /// scene keep its rules? One after the other, as above.
 template <int dim, class Real, class Integrator, class... Items>
 constexpr bool check_scene() {
     if constexpr (!check_dimension<dim>())
         return false;
-    else if constexpr (!std::is_same_v<Real, float> && !std::is_same_v<Real, double>)
+    else if constexpr (!is_real<Real>)
         return break_rule<rules::NotRealNumbers<Real, write_float_or_double>>();
     else if constexpr (IsPhase<Integrator> || IsCoupling<Integrator>)
         return break_rule<

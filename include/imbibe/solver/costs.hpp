@@ -76,9 +76,11 @@ struct Costed<Composition<dim_, Items...>> {
 };
 template <int dim_, class Real, class Integrator, class... Items>
 struct Costed<Solver<dim_, Real, Integrator, Items...>> {
-    static constexpr int dim = dim_;
-    using Scene = Composition<dim, Items...>;
-    using Passes = typename PassesOf<Integrator, Scene>::type;
+    // Behind an error about its arguments a solver goes on with others.
+    using Whole = Solver<dim_, Real, Integrator, Items...>;
+    static constexpr int dim = Whole::dimension;
+    using Scene = typename Whole::Scene;
+    using Passes = typename PassesOf<typename Whole::Integrator, Scene>::type;
 };
 
 } // namespace detail

@@ -34,12 +34,13 @@ public:
     /// 2 or 3.
     static constexpr int dimension = dim == 2 ? 2 : 3; // of any other, one error is enough
     /// What the compiler worked out: fields, rows, plans.
-    using Scene = Composition<dimension, Items...>;
+    using Scene = typename detail::SceneOf<dimension, Real_, Integrator_, Items...>::type;
 
+    // Behind an error about them, numbers and integrators that make no second one.
     /// The type of all stored numbers.
-    using Real = Real_;
+    using Real = std::conditional_t<detail::is_real<Real_>, Real_, double>;
     /// How a step is made of rates.
-    using Integrator = Integrator_;
+    using Integrator = std::conditional_t<detail::IsIntegrator<Integrator_>, Integrator_, detail::NoSteps>;
     /// How many numbers the processor computes at once.
     static constexpr int width = native_width<Real>;
     /// The phases of the scene.
@@ -343,12 +344,10 @@ private:
                    : text(limits.front().seconds, " s (", limits.front().reason, ", ", limits.front().where, ")");
     }
 
-    // Has the scene an integrator, and does it name phases of the scene?
+    // Does the integrator name phases and terms of the scene?
     template <class I>
     static constexpr bool check_integrator() {
-        if constexpr (!detail::IsIntegrator<I>)
-            return false; // an error of its own
-        else if constexpr (requires { typename I::Fast; })
+        if constexpr (requires { typename I::Fast; })
             return in_the_scene<typename I::Fast, Phases, list_the_phase_in_the_solver>();
         else if constexpr (requires { requires I::Slow::size == 0; })
             return detail::break_rule<rules::NothingIsSlow<I, name_terms_such_as_MorrisViscosity>>();
@@ -475,10 +474,10 @@ private:
 
 // Functions of some length, out of the class: a program may leave them to a library (`extern template`).
 
-template <int dim, class Real_, class Integrator, class... Items>
+template <int dim, class Real_, class Integrator_, class... Items>
 template <class P>
-PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, const std::vector<Point>& points,
-                                                             double spacing) {
+PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material, const std::vector<Point>& points,
+                                                              double spacing) {
     const std::string name = detail::type_name<P>();
     material.check(name);
     require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
@@ -533,13 +532,13 @@ PhaseHandle<P> Solver<dim, Real_, Integrator, Items...>::add(const P& material, 
     return {};
 }
 
-template <int dim, class Real_, class Integrator, class... Items>
-std::vector<TimeStepLimit> Solver<dim, Real_, Integrator, Items...>::time_step_limits() const {
+template <int dim, class Real_, class Integrator_, class... Items>
+std::vector<TimeStepLimit> Solver<dim, Real_, Integrator_, Items...>::time_step_limits() const {
     return limits_of<OfSteps>();
 }
 
-template <int dim, class Real_, class Integrator, class... Items>
-void Solver<dim, Real_, Integrator, Items...>::prepare() {
+template <int dim, class Real_, class Integrator_, class... Items>
+void Solver<dim, Real_, Integrator_, Items...>::prepare() {
     const bool changed = may_have_changed_;
     check_numbers();
     if (prepared_ && steps_ > 0) {
@@ -571,8 +570,8 @@ void Solver<dim, Real_, Integrator, Items...>::prepare() {
                                 "); with time_step = 0 steps adapt to the limits"));
 }
 
-template <int dim, class Real_, class Integrator, class... Items>
-void Solver<dim, Real_, Integrator, Items...>::take(const TimeStepLimit& chosen) {
+template <int dim, class Real_, class Integrator_, class... Items>
+void Solver<dim, Real_, Integrator_, Items...>::take(const TimeStepLimit& chosen) {
     last_step_ = chosen;
     try {
         if constexpr (!steps_are_defined) {
