@@ -56,11 +56,22 @@ struct velocity_gradient;   ///< the gradient that rates of stress are made of
 struct stress_rate;         ///< the rate of the deviatoric stress
 } // namespace effects
 
+// Advice, printed as a template argument.
+struct give_it_value_of_q;
+struct give_it_derivative_of_q;
+struct give_it_laplacian_of_q_or_take_one_such_as_ViscosityKernel;
+
 namespace rules {
 /// Rule: where a term takes a kernel it is given one.
 template <class Given>
 struct NotAKernel {
     static_assert(sizeof(Given) == 0, "imbibe: a term is given this where it takes a kernel, such as WendlandC2");
+};
+/// Rule: a kernel has the functions that terms ask it for.
+template <class Kernel, class Advice>
+struct KernelLacksAFunction {
+    static_assert(sizeof(Kernel) == 0, "imbibe: a term asks this kernel for a function that it does not have, or that "
+                                       "cannot be called with one number");
 };
 /// Rule: a kernel that has a cubic_slope c has a derivative of the form w'(q)/q = -c (1 - q)^3.
 template <class Kernel>
@@ -149,8 +160,10 @@ struct Pair {
             return not_a_kernel<Kernel>();
         else if constexpr (requires(T x) { Kernel::value(x, x); })
             return Kernel::value(q(), scale<dim>(factor<Kernel>));
-        else
+        else if constexpr (requires(T x) { Kernel::value(x); })
             return scale<dim>(factor<Kernel>) * Kernel::value(q());
+        else
+            return lacks_a_function<Kernel, give_it_value_of_q>();
     }
     /// The factor F_ab with grad_a W_ab = F_ab (x_a - x_b), 1/m^(dim+2): negative where W falls with distance.
     template <class Kernel>
@@ -170,8 +183,10 @@ struct Pair {
             return scale<dim + 2>(factor<Kernel>) * Kernel::derivative_over_q(q());
         else if constexpr (requires(T x) { Kernel::derivative(x, x); })
             return Kernel::derivative(q(), scale<dim + 1>(factor<Kernel>)) * inverse_distance();
-        else
+        else if constexpr (requires(T x) { Kernel::derivative(x); })
             return scale<dim + 1>(factor<Kernel>) * Kernel::derivative(q()) * inverse_distance();
+        else
+            return lacks_a_function<Kernel, give_it_derivative_of_q>();
     }
     /// The Laplacian of W_ab, 1/m^(dim+2).
     template <class Kernel>
@@ -180,13 +195,20 @@ struct Pair {
             return not_a_kernel<Kernel>();
         else if constexpr (requires(T x) { Kernel::laplacian(x, x); })
             return Kernel::laplacian(q(), scale<dim + 2>(factor<Kernel>));
-        else
+        else if constexpr (requires(T x) { Kernel::laplacian(x); })
             return scale<dim + 2>(factor<Kernel>) * Kernel::laplacian(q());
+        else
+            return lacks_a_function<Kernel, give_it_laplacian_of_q_or_take_one_such_as_ViscosityKernel>();
     }
     /// W_ab / W(length): how much closer than `length` the pair is, in terms of the kernel. `length` < H.
     template <class Kernel>
     IMBIBE_INLINE constexpr T relative_value(Kernel, double length) const {
-        return Kernel::value(q()) / Kernel::value(T(length) * inverse_support);
+        if constexpr (!is_kernel<Kernel>)
+            return not_a_kernel<Kernel>();
+        else if constexpr (requires(T x) { Kernel::value(x); })
+            return Kernel::value(q()) / Kernel::value(T(length) * inverse_support);
+        else
+            return lacks_a_function<Kernel, give_it_value_of_q>();
     }
     /// The distance in supports, q = |x_a - x_b| / H.
     IMBIBE_INLINE constexpr T q() const { return distance * inverse_support; }
@@ -206,6 +228,11 @@ private:
     template <class Kernel>
     static constexpr T not_a_kernel() {
         detail::break_rule<rules::NotAKernel<Kernel>>();
+        return T{};
+    }
+    template <class Kernel, class Advice>
+    static constexpr T lacks_a_function() {
+        detail::break_rule<rules::KernelLacksAFunction<Kernel, Advice>>();
         return T{};
     }
     template <int n>
@@ -262,9 +289,18 @@ template <class Term>
 struct PartsOf {
     using type = std::conditional_t<IsTerm<Term>, TypeList<Term>, TypeList<>>;
 };
+// What is no list, which is an error of its own, counts as its only element.
+template <class Given>
+struct ListOfParts {
+    using type = std::conditional_t<IsTerm<Given>, TypeList<Given>, TypeList<>>;
+};
+template <class... P>
+struct ListOfParts<TypeList<P...>> {
+    using type = TypeList<P...>;
+};
 template <HasParts Term>
 struct PartsOf<Term> {
-    using type = typename Term::parts;
+    using type = typename ListOfParts<typename Term::parts>::type;
 };
 template <class Term>
     requires(!HasParts<Term> && HasStores<Term>)
@@ -273,6 +309,10 @@ struct PartsOf<Term> {
 };
 template <class Term>
 using PartList = typename PartsOf<Term>::type;
+template <class Term>
+inline constexpr bool lists_its_parts = true;
+template <HasParts Term>
+inline constexpr bool lists_its_parts<Term> = std::is_same_v<typename Term::parts, PartList<Term>>;
 
 template <class Part>
 struct ReadsOf {

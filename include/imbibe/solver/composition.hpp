@@ -23,7 +23,7 @@ struct Composition {
     /// The phases listed. Those a coupling names should be among them: where one is not, it is added, so that after
     /// the rule's one error everything else compiles.
     using Phases = detail::Unique<
-        detail::Concat<detail::Filter<detail::KeepPhases, All>, typename detail::PhasesNamed<Couplings>::type>>;
+        detail::Filter<detail::KeepPhases, detail::Concat<All, typename detail::PhasesNamed<Couplings>::type>>>;
 
     /// The parts of all terms, each on each phase it writes to.
     using Nodes = typename detail::CollectNodes<dim, Phases, Couplings>::type;

@@ -14,10 +14,10 @@ struct ListRules {
     /// True, or a compile error that names the broken rule.
     static constexpr bool check() {
         if constexpr ((check_item<Items>() && ...))
-            return (check_listed_once<Items>() && ...) && (check_phases_of<Items>() && ...) &&
-                   (check_terms<Items>(typename Items::terms{}) && ...) && (check_company<Items>() && ...);
-        else
-            return false;
+            if constexpr ((check_phases_of<Items>() && ...))
+                return (check_listed_once<Items>() && ...) && (check_terms<Items>(typename Items::terms{}) && ...) &&
+                       (check_company<Items>() && ...);
+        return false;
     }
 
 private:
@@ -36,9 +36,11 @@ private:
         else
             return true;
     }
-    template <class P, class C, class Allowed>
+    template <class P, class C, class Allowed, class Advice>
     static constexpr bool check_named() {
-        if constexpr (!contains<P, Allowed>)
+        if constexpr (!IsPhase<P>)
+            return break_rule<rules::NotAPhase<P, C, Advice>>();
+        else if constexpr (!contains<P, Allowed>)
             return break_rule<rules::NoSuchPhase<P, C, list_every_phase_of_a_coupling_in_the_solver>>();
         else
             return true;
@@ -46,7 +48,7 @@ private:
     template <class C, class... P>
     static constexpr bool check_targets(TypeList<P...>) {
         using Two = TypeList<typename C::First, typename C::Second>;
-        return (check_named<P, C, Two>() && ...);
+        return (check_named<P, C, Two, write_Into_with_the_phase_before_the_term>() && ...);
     }
     template <class C>
     static constexpr bool check_phases_of() {
@@ -55,8 +57,8 @@ private:
         else if constexpr (std::is_same_v<typename C::First, typename C::Second>)
             return break_rule<rules::SamePhaseTwice<typename C::First, couple_two_different_phases>>();
         else
-            return check_named<typename C::First, C, TypeList<Items...>>() &&
-                   check_named<typename C::Second, C, TypeList<Items...>>() &&
+            return check_named<typename C::First, C, TypeList<Items...>, give_it_two_phases_before_its_terms>() &&
+                   check_named<typename C::Second, C, TypeList<Items...>, give_it_two_phases_before_its_terms>() &&
                    check_targets<C>(typename TargetsOf<typename C::terms>::type{});
     }
     template <class T, class U>
@@ -108,6 +110,8 @@ private:
         using Term = typename Listed<T>::Term;
         if constexpr (!IsTerm<Term> || (!std::is_same_v<Term, T> && !IsCoupling<Item>))
             return break_rule<rules::NotATerm<T, Item, list_terms_only_and_Into_only_in_couplings>>();
+        else if constexpr (!lists_its_parts<Term>)
+            return break_rule<rules::PartsAreNoList<typename Term::parts, Term, write_using_parts_Parts_of_it>>();
         else if constexpr (!IsCoupling<Item> && !suits<Item, Term>)
             return break_rule<rules::NotASolid<Term, Item, give_it_to_a_solid>>();
         else if constexpr (requires { requires Term::needs_viscosity; } && !has_viscosity<Item>())

@@ -19,6 +19,10 @@ concept IsPhase = !IsCoupling<T> && requires {
     T::moves;
 };
 
+/// A coupling of two phases; of anything else nothing is made.
+template <class T>
+concept CouplesPhases = IsCoupling<T> && IsPhase<typename T::First> && IsPhase<typename T::Second>;
+
 /// Part P on phase A, with neighbours of phase B (A itself inside a phase), its coefficients kept by Owner.
 template <class P, class A_, class B_, class Owner_, class Term_>
 struct Node {
@@ -88,7 +92,7 @@ using Filter = typename FilterImpl<Keep, List>::type;
 template <class T>
 struct KeepPhases : std::bool_constant<IsPhase<T>> {};
 template <class T>
-struct KeepCouplings : std::bool_constant<IsCoupling<T>> {};
+struct KeepCouplings : std::bool_constant<CouplesPhases<T>> {};
 
 // A sum into the acceleration of something that does not move is not computed.
 template <class N>
@@ -127,7 +131,8 @@ struct NodesOfCouplingTerm { // acts on both
 template <class C, class P, class Term>
 struct NodesOfCouplingTerm<C, Into<P, Term>> {
     using Other = std::conditional_t<std::is_same_v<P, typename C::First>, typename C::Second, typename C::First>;
-    using type = typename NodesOfParts<P, Other, C, Term, PartList<Term>>::type;
+    using Parts = std::conditional_t<IsPhase<P>, PartList<Term>, TypeList<>>; // or else an error of its own
+    using type = typename NodesOfParts<P, Other, C, Term, Parts>::type;
 };
 template <class C, class Terms>
 struct NodesOfCoupling;

@@ -33,6 +33,9 @@ struct give_it_one_such_as_SymplecticEuler;
 struct list_structs_derived_from_Fluid_Solid_Wall_or_Coupling;
 struct put_an_integrator_such_as_SymplecticEuler_before_the_phases;
 struct list_every_phase_of_a_coupling_in_the_solver;
+struct give_it_two_phases_before_its_terms;
+struct write_Into_with_the_phase_before_the_term;
+struct write_using_parts_Parts_of_it;
 struct list_it_in_a_phase_or_coupling_or_do_not_name_it;
 struct let_every_short_step_evaluate_it;
 struct name_terms_such_as_MorrisViscosity;
@@ -59,6 +62,11 @@ struct NobodySets {
 template <class What, class Where, class Advice>
 struct NotATerm {
     static_assert(never<What>, "imbibe: this is listed where a term is expected, and is none");
+};
+/// Rule: a term lists its parts, even where it has one.
+template <class Given, class Term, class Advice>
+struct PartsAreNoList {
+    static_assert(never<Given>, "imbibe: the `parts` of this term are no list: write `using parts = Parts<...>;`");
 };
 /// Rule: a term that asks for elastic moduli is one of a phase that has them.
 template <class Term, class Phase, class Advice>
@@ -190,6 +198,11 @@ struct Cycle {
 template <class Phase, class Coupling, class Advice>
 struct NoSuchPhase {
     static_assert(never<Phase>, "imbibe: this coupling names a phase that the scene does not have");
+};
+/// Rule: a coupling is one of two phases, and sends a term into one of them.
+template <class Given, class Coupling, class Advice>
+struct NotAPhase {
+    static_assert(never<Given>, "imbibe: this stands in a coupling where a phase is expected, and is none");
 };
 /// Rule: whoever asks a scene for a phase or coupling, or names one in its integrator, asks for one that it has.
 template <class What, class Advice>

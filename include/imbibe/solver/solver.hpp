@@ -374,7 +374,9 @@ private:
     }
     template <class C>
     static auto find_coupling(auto& engine) {
-        if constexpr (in_the_scene<C, Couplings, list_the_coupling_in_the_solver>())
+        if constexpr (detail::contains<C, typename Scene::All> && !detail::CouplesPhases<C>)
+            return &detail::nothing<C>(); // an error of its own
+        else if constexpr (in_the_scene<C, Couplings, list_the_coupling_in_the_solver>())
             return &engine.template coupling<C>();
         else
             return &detail::nothing<C>();
