@@ -26,6 +26,25 @@ struct TupleOf<TypeList<T...>> {
     using type = std::tuple<T...>;
 };
 
+// The parameters that a part is filled with, as the type of its member of that name; void where it has none.
+template <class Part>
+struct ParametersIn {
+    using type = void;
+};
+template <class Part>
+requires requires(const Part& part) {
+    part.parameters;
+}
+struct ParametersIn<Part> {
+    using type = std::remove_cvref_t<decltype(Part::parameters)>;
+};
+/// Is a part of the term filled with these parameters?
+template <class Parameters, class Parts>
+inline constexpr bool fills_a_part = false;
+template <class Parameters, class... P>
+inline constexpr bool
+    fills_a_part<Parameters, TypeList<P...>> = (std::is_same_v<typename ParametersIn<P>::type, Parameters> || ...);
+
 template <class Term>
 struct ParametersOf {
     using type = TypeList<>;
@@ -86,11 +105,18 @@ inline void require_positive(double value, std::string_view phase, std::string_v
 } // namespace detail
 
 struct list_the_term_that_they_are_of;
+struct write_using_Parameters_in_the_term;
 namespace rules {
 /// Rule: parameters are given to a phase or coupling that lists the term they are of.
 template <class Parameters, class TheirsAre, class Advice>
 struct NoTermHasTheseParameters {
     static_assert(sizeof(Parameters) == 0, "imbibe: no term of this phase or coupling has these parameters");
+};
+/// Rule: a term whose parts are filled with parameters says of which type they are.
+template <class Parameters, class Term, class Advice>
+struct ParametersNotDeclared {
+    static_assert(sizeof(Parameters) == 0,
+                  "imbibe: this term has a member `parameters` of this type, and no `using Parameters` of it");
 };
 } // namespace rules
 
@@ -119,9 +145,21 @@ private:
         if constexpr (detail::contains<P, List>) {
             return &std::get<P>(values);
         } else {
-            detail::break_rule<rules::NoTermHasTheseParameters<P, List, list_the_term_that_they_are_of>>();
+            explain<P, Terms...>();
             return &detail::nothing<P>();
         }
+    }
+    // Why there are none of type P: a term may not say that they are its own.
+    template <class P>
+    static constexpr void explain() {
+        detail::break_rule<rules::NoTermHasTheseParameters<P, List, list_the_term_that_they_are_of>>();
+    }
+    template <class P, class Term, class... Rest>
+    static constexpr void explain() {
+        if constexpr (detail::fills_a_part<P, detail::PartList<Term>>)
+            detail::break_rule<rules::ParametersNotDeclared<P, Term, write_using_Parameters_in_the_term>>();
+        else
+            explain<P, Rest...>();
     }
 };
 

@@ -166,9 +166,46 @@ private:
         else
             return check_kernels<Item, One>(TypeList<Rest...>{});
     }
+    // Does a limit on the step take the term's parameters?
+    template <class Term, class Parameters, class... M>
+    static constexpr bool limit_takes = requires(const M&... m, const TimeStepInput& in, const Parameters& parameters) {
+        Term::time_step_limit(m..., in, parameters);
+    };
+    template <class Term, class Parameters, class M>
+    static constexpr bool advection_limit_takes = requires(const M& m, const TimeStepInput& in,
+                                                           const Parameters& given) {
+        Term::advection_limit(m, in, given);
+    };
+    template <class Item, class Term, class Parameters>
+    static constexpr bool limit_of_item_takes() {
+        if constexpr (IsCoupling<Item>)
+            return limit_takes<Term, Parameters, typename Item::First, typename Item::Second>;
+        else
+            return limit_takes<Term, Parameters, Item> || advection_limit_takes<Term, Parameters, Item>;
+    }
+    // Does a part ask for parameters of which the phase or coupling has none? That is an error of its own.
+    template <class Item, class... P>
+    static constexpr bool asks_for_others(TypeList<P...>) {
+        using Known = Concat<TypeList<void>, typename decltype(Item::coefficients)::List>;
+        return (!contains<typename ParametersIn<P>::type, Known> || ...);
+    }
+    // Are the parameters of a term filled in somewhere? In a part that is there by another term, too.
+    template <class Item, class Term, class... T>
+    static constexpr bool check_parameters(TypeList<T...>) {
+        if constexpr (requires { typename Term::Parameters; }) {
+            using Given = typename Term::Parameters;
+            if constexpr (!(fills_a_part<Given, PartList<Term>> || ... ||
+                            fills_a_part<Given, PartList<typename Listed<T>::Term>>))
+                if constexpr (!limit_of_item_takes<Item, Term, Given>() && !asks_for_others<Item>(PartList<Term>{}))
+                    return break_rule<rules::ParametersNotTaken<
+                        Given, Term, give_the_part_that_uses_them_a_member_of_this_type_named_parameters>>();
+        }
+        return true;
+    }
     template <class Item, class... T>
     static constexpr bool check_terms(TypeList<T...> list) {
-        return (check_term<Item, T>() && ...) && check_twos<Item>(list) && check_kernels<Item, void>(list);
+        return (check_term<Item, T>() && ...) && (check_parameters<Item, typename Listed<T>::Term>(list) && ...) &&
+               check_twos<Item>(list) && check_kernels<Item, void>(list);
     }
     // Has a coupling with these terms the term that acts on phase P?
     template <class P, class Term, class... T>

@@ -36,6 +36,7 @@ struct list_every_phase_of_a_coupling_in_the_solver;
 struct give_it_two_phases_before_its_terms;
 struct write_Into_with_the_phase_before_the_term;
 struct write_using_parts_Parts_of_it;
+struct give_the_part_that_uses_them_a_member_of_this_type_named_parameters;
 struct list_it_in_a_phase_or_coupling_or_do_not_name_it;
 struct let_every_short_step_evaluate_it;
 struct name_terms_such_as_MorrisViscosity;
@@ -67,6 +68,13 @@ struct NotATerm {
 template <class Given, class Term, class Advice>
 struct PartsAreNoList {
     static_assert(never<Given>, "imbibe: the `parts` of this term are no list: write `using parts = Parts<...>;`");
+};
+/// Rule: the parameters of a term are given to it: a part has a member of that name and type, or a limit on the step
+/// takes them.
+template <class Parameters, class Term, class Advice>
+struct ParametersNotTaken {
+    static_assert(never<Parameters>,
+                  "imbibe: nothing in this term takes its `Parameters`: what is set would be ignored");
 };
 /// Rule: a term that asks for elastic moduli is one of a phase that has them.
 template <class Term, class Phase, class Advice>
