@@ -24,14 +24,16 @@ struct DeclaresWhatItDoesNotRead {
 template <class Part>
 struct NotCallable {
     static_assert(sizeof(Part) == 0,
-                  "imbibe: this term has no function `operator()(a) const` or `operator()(a, b, ab) const`");
+                  "imbibe: this term has no function `operator()(a) const` or `operator()(a, b, ab) const` that "
+                  "can be called. An error in the function itself comes first: mend that");
 };
 /// Rule: a term's function can be run by the compiler.
 template <class Part>
 struct NotConstexpr {
-    static_assert(sizeof(Part) == 0,
-                  "imbibe: this term's function cannot be run at compile time: declare it constexpr; with parameters at "
-                  "their defaults it must not divide by zero");
+    static_assert(
+        sizeof(Part) == 0,
+        "imbibe: this term's function cannot be run at compile time: declare it constexpr; with parameters at "
+        "their defaults it must not divide by zero. An error in the function itself comes first: mend that");
 };
 /// Rule: a term returns one value for each field that it sets or adds to, in their order.
 template <class Part>
@@ -150,10 +152,45 @@ template <class Part, int dim, class MaterialA, class MaterialB>
 concept RunsAtCompileTime = requires {
     typename std::bool_constant<(dry_run<Part, dim, MaterialA, MaterialB>(), true)>;
 };
+
+// Has the part a function that takes such arguments, though it cannot be called? Then something in it is wrong, which
+// the compiler has said already. It is asked beside a function that takes anything as well as it does: the two are
+// ambiguous, so that nothing is called; and with types of its own, as clang++ does not see again what has failed.
+template <class T>
+struct Again : T {};
+struct TakesAnything {
+    template <class A, class = void>
+    void operator()(const A&) const;
+    template <class A, class B, class P, class = void>
+    void operator()(const A&, const B&, const P&) const;
+};
+template <class Part>
+struct OrAnything : Part, TakesAnything {
+    using Part::operator();
+    using TakesAnything::operator();
+};
+struct HasTheName {
+    void operator()() const;
+};
+template <class Part>
+struct WithTheName : Part, HasTheName {};
+template <class Part, class... T>
+constexpr bool takes() {
+    if constexpr (!std::is_class_v<Part> || std::is_final_v<Part>)
+        return false;
+    else if constexpr (requires { &WithTheName<Part>::operator(); })
+        return false; // else the name would be ambiguous: the part has no function at all
+    else
+        return !std::is_invocable_v<const OrAnything<Part>&, Again<T>...>;
+}
+
 template <class Part, int dim, class MaterialA, class MaterialB>
 constexpr auto record_reads() {
+    using A = RecordingParticle<Part, dim, MaterialA>;
+    using B = RecordingParticle<Part, dim, MaterialB>;
     if constexpr (!is_pair_part<Part, dim, MaterialA, MaterialB> && !is_particle_part<Part, dim, MaterialA>) {
-        break_rule<rules::NotCallable<Part>>();
+        if constexpr (!takes<Part, A>() && !takes<Part, A, B, Pair<dim, Number<double>>>())
+            break_rule<rules::NotCallable<Part>>();
         return SidedReads<ReadsOf<Part>::type::size>::all();
     } else if constexpr (!RunsAtCompileTime<Part, dim, MaterialA, MaterialB>) {
         break_rule<rules::NotConstexpr<Part>>();
@@ -263,7 +300,11 @@ constexpr bool check_returned() {
     using A = RecordingParticle<Part, dim, MaterialA>;
     using B = RecordingParticle<Part, dim, MaterialB>;
     using Given = Concat<typename SetsOf<Part>::type, typename AddsOf<Part>::type>;
-    if constexpr (is_pair_part<Part, dim, MaterialA, MaterialB>) {
+    if constexpr (!is_pair_part<Part, dim, MaterialA, MaterialB> && !is_particle_part<Part, dim, MaterialA>) {
+        return false; // an error of its own
+    } else if constexpr (!RunsAtCompileTime<Part, dim, MaterialA, MaterialB>) {
+        return false; // and so is this
+    } else if constexpr (is_pair_part<Part, dim, MaterialA, MaterialB>) {
         using R = std::invoke_result_t<const Part&, A, B, Pair<dim, Number<double>>>;
         if constexpr (SetsOf<Part>::type::size > 0)
             return true; // an error of its own
@@ -271,10 +312,8 @@ constexpr bool check_returned() {
             return check_reach<Part, dim, MaterialA, MaterialB>();
         else
             return false;
-    } else if constexpr (is_particle_part<Part, dim, MaterialA>) {
-        return check_values<Part, dim>(std::type_identity<std::invoke_result_t<const Part&, A>>{}, Given{});
     } else {
-        return false; // an error of its own
+        return check_values<Part, dim>(std::type_identity<std::invoke_result_t<const Part&, A>>{}, Given{});
     }
 }
 

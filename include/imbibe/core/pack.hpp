@@ -8,6 +8,7 @@
 
 #include <imbibe/core/build_options.hpp>
 #include <imbibe/core/compiler_hints.hpp>
+#include <imbibe/core/rule.hpp>
 
 #include <cstdint>
 #include <type_traits>
@@ -91,11 +92,30 @@ IMBIBE_INLINE Doubles root(Doubles x) {
 
 } // namespace detail
 
+// Advice, printed as a template argument.
+struct write_select_of_the_comparison_and_two_values;
+
+namespace rules {
+/// Rule: a term chooses between values by `select`, for its numbers may be packs of several.
+template <class Advice>
+struct NumbersAskedByIf {
+    static_assert(sizeof(Advice*) == 0, "imbibe: a term compares its numbers in an `if`, by && or ?:, and they may be "
+                                        "packs of several, of which some are so and some not");
+};
+} // namespace rules
+
 /// The outcome of comparing two packs: one truth value per lane.
 template <class Real, int width>
 struct IMBIBE_PER_BUILD Mask {
     using Lanes = typename detail::MaskStorage<Real, width>::type;
     Lanes lanes;
+
+    /// Does not compile, in one readable line; see `select`.
+    template <class Advice = write_select_of_the_comparison_and_two_values>
+    constexpr explicit operator bool() const {
+        detail::break_rule<rules::NumbersAskedByIf<Advice>>();
+        return true;
+    }
 
     friend IMBIBE_INLINE constexpr Mask operator&(Mask a, Mask b) {
         if constexpr (width == 1)

@@ -27,9 +27,13 @@ public:
     /// @tparam What which terms: one of Composition::WholeStep, Rates, ...
     template <class What>
     void run(double dt) {
-        step_length = dt;
-        clear_sums<What>();
-        run_steps<What>(std::make_index_sequence<static_cast<std::size_t>(What::plan.size)>{});
+        if constexpr (Scene::valid) {
+            step_length = dt;
+            clear_sums<What>();
+            run_steps<What>(std::make_index_sequence<static_cast<std::size_t>(What::plan.size)>{});
+        } else {
+            nothing<Scene>(); // that has an error: its loops would have more, and it must not link without them
+        }
     }
 
 private:
