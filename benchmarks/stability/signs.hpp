@@ -3,8 +3,12 @@
 
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/monitor/energy.hpp>
+#include <imbibe/solid/first_piola.hpp>
+
+#include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -79,11 +83,15 @@ double way_into_wall(const View& phase, double right) {
     return std::max(deepest, 0.0) / phase.material().spacing;
 }
 
-/// How rough the displacements of a solid are: the lattice it started from, found again by the ids of its particles.
-class Roughness {
+/// The lattice that a solid starts from: its points, and which of those that count have all their nearest neighbours.
+class Lattice {
 public:
-    template <class Points>
-    Roughness(const Points& points, double spacing) : spacing_(spacing) {
+    struct Inner {
+        std::size_t at;
+        std::vector<std::size_t> around;
+    };
+    template <class Points, class Counts>
+    Lattice(const Points& points, double spacing, const Counts& counts) {
         for (const auto& x : points) {
             start_.push_back(Eigen::Vector3d::Zero());
             for (int d = 0; d < static_cast<int>(x.size()); ++d)
@@ -98,12 +106,13 @@ public:
             return at;
         };
         for (std::size_t k = 0; k < start_.size(); ++k)
-            lattice[place(start_[k])] = k;
-        for (std::size_t k = 0; k < start_.size(); ++k) {
+            if (counts(points[k]))
+                lattice[place(start_[k])] = k;
+        for (const auto& [here, k] : lattice) {
             std::vector<std::size_t> around;
             for (std::size_t d = 0; d < static_cast<std::size_t>(dim_); ++d)
                 for (const long step : {-1L, 1L}) {
-                    auto at = place(start_[k]);
+                    auto at = here;
                     at[d] += step;
                     if (const auto found = lattice.find(at); found != lattice.end())
                         around.push_back(found->second);
@@ -112,19 +121,35 @@ public:
                 inner_.push_back({k, around});
         }
     }
+    int dim() const { return dim_; }
+    const std::vector<Eigen::Vector3d>& start() const { return start_; }
+    const std::vector<Inner>& inner() const { return inner_; }
+
+private:
+    int dim_ = 2;
+    std::vector<Eigen::Vector3d> start_;
+    std::vector<Inner> inner_;
+};
+
+/// How rough the displacements of a solid are: the lattice it started from, found again by the ids of its particles.
+class Roughness {
+public:
+    template <class Points>
+    Roughness(const Points& points, double spacing)
+        : spacing_(spacing), lattice_(points, spacing, [](const auto&) { return true; }) {}
     /// The greatest deviation of a displacement from the mean of its nearest neighbours', in spacings.
     template <class View>
     double operator()(const View& phase) const {
         const auto x = phase[sph::position];
-        std::vector<Eigen::Vector3d> moved(start_.size());
+        std::vector<Eigen::Vector3d> moved(lattice_.start().size());
         for (int i = 0; i < phase.size(); ++i) {
             const std::size_t id = phase.ids()[static_cast<std::size_t>(i)];
             moved[id].setZero();
-            for (int d = 0; d < dim_; ++d)
-                moved[id][d] = static_cast<double>(x(i, d)) - start_[id][d];
+            for (int d = 0; d < lattice_.dim(); ++d)
+                moved[id][d] = static_cast<double>(x(i, d)) - lattice_.start()[id][d];
         }
         double most = 0;
-        for (const auto& [at, around] : inner_) {
+        for (const auto& [at, around] : lattice_.inner()) {
             Eigen::Vector3d mean = Eigen::Vector3d::Zero();
             for (const std::size_t k : around)
                 mean += moved[k] / static_cast<double>(around.size());
@@ -136,14 +161,57 @@ public:
     }
 
 private:
-    struct Inner {
-        std::size_t at;
-        std::vector<std::size_t> around;
-    };
     double spacing_;
-    int dim_ = 2;
-    std::vector<Eigen::Vector3d> start_;
-    std::vector<Inner> inner_;
+    Lattice lattice_;
+};
+
+/// Which share of a solid's mean stress alternates from particle to particle (a checkerboard): its root mean square
+/// less that of the nearest neighbours on the lattice, over that of itself, each as a mean over the times that were
+/// looked at. Above a half there is more of it than of the stress.
+class AlternatingMeanStress {
+public:
+    /// @param counts of a point where it starts: only such are looked at, and as neighbours of such
+    template <class Points, class Counts>
+    AlternatingMeanStress(const Points& points, double spacing, const Counts& counts)
+        : lattice_(points, spacing, counts) {}
+    /// Looks once more, and gives the share up to now.
+    template <class View>
+    double operator()(const View& phase) {
+        std::vector<double> stress(lattice_.start().size());
+        for (int i = 0; i < phase.size(); ++i)
+            stress[phase.ids()[static_cast<std::size_t>(i)]] = mean_stress(phase, i);
+        double off = 0, itself = 0;
+        for (const auto& [at, around] : lattice_.inner()) {
+            double mean = 0;
+            for (const std::size_t k : around)
+                mean += stress[k] / static_cast<double>(around.size());
+            off += sph::sq(stress[at] - mean);
+            itself += sph::sq(stress[at]);
+        }
+        alternating_ += std::sqrt(off);
+        all_ += std::sqrt(itself);
+        return alternating_ / std::max(all_, 1e-300);
+    }
+
+private:
+    Lattice lattice_;
+    double alternating_ = 0, all_ = 0;
+
+    // tr sigma/dim, Pa, with sigma = P F^T/J where the law gives P, else from the pressure
+    template <class View>
+    static double mean_stress(const View& phase, int i) {
+        using State = std::remove_cvref_t<decltype(phase.state)>;
+        constexpr int dim = std::remove_cvref_t<decltype(phase[sph::position])>::ColsAtCompileTime;
+        if constexpr (State::template stores<sph::FirstPiolaStress>) {
+            Eigen::Matrix<double, dim, dim> F, P;
+            for (int k = 0; k < dim * dim; ++k) {
+                F(k / dim, k % dim) = static_cast<double>(phase[sph::deformation_gradient](i, k));
+                P(k / dim, k % dim) = static_cast<double>(phase[sph::first_piola_stress](i, k));
+            }
+            return F.cwiseProduct(P).sum() / (dim * F.determinant());
+        } else
+            return -static_cast<double>(phase[sph::pressure](i));
+    }
 };
 
 /// Gives all particles of a phase velocities that are evenly distributed up to `most`, m/s, the same in every run.

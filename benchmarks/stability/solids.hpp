@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../support/elastic.hpp"
+#include "../support/pieces.hpp"
 #include "march.hpp"
 #include "signs.hpp"
 
@@ -114,12 +115,17 @@ Outcome bent_beam(const Plan& plan) {
             view[sph::velocity](i, 1) =
                 static_cast<Real>(0.03 * std::sqrt(young / rho) * sph::sq(view[sph::position](i, 0) / L));
     const Roughness rough(points, spacing);
+    AlternatingMeanStress alternating(points, spacing, [](const auto& x) { return x[0] > 0; });
     const double period = 0.1; // s, nearly: that of a thin beam is 0.078
-    const Watch<2> watch{.end = period,
-                         .guard = {.energy = 0.05},
-                         .signs = {{"roughness of the displacement, spacings", 0.1}},
-                         .expected_steps = period * body.longitudinal_wave_speed() / spacing};
-    return march(scene, plan, watch, [&](const auto& s) { return std::vector{rough(s[beam])}; });
+    const Watch<2> watch{
+        .end = period,
+        .guard = {.energy = 0.05},
+        .signs = {{"roughness of the displacement, spacings", 0.1}, {"share of the mean stress that alternates", 0.5}},
+        .expected_steps = period * body.longitudinal_wave_speed() / spacing};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const double share = s.steps() > 0 ? alternating(s[beam]) : 0;
+        return std::vector{rough(s[beam]), s.time() >= period ? share : 0};
+    });
 }
 
 /// Sets a phase spinning about the origin, rad/s.
@@ -184,10 +190,13 @@ Outcome colliding_rings(const Plan& plan) {
         view[sph::velocity](i, 0) = static_cast<Real>(view[sph::position](i, 0) < 0 ? v : -v);
     const Watch<2> watch{.end = 0.04 / v,
                          .guard = {.energy = 0.05},
-                         .signs = {{"spacings over the least distance of a pair", 2}},
+                         .signs = {{"spacings over the least distance of a pair", 2}, {"pieces of two rings", 2}},
                          .every = 20,
                          .expected_steps = 0.04 / v * body.longitudinal_wave_speed() / spacing};
-    return march(scene, plan, watch, [&](const auto& s) { return std::vector{1 / closest_pair(s[rings])}; });
+    return march(scene, plan, watch, [&](const auto& s) {
+        const auto found = sph::bench::pieces(s[rings], 1.5 * spacing);
+        return std::vector{1 / closest_pair(s[rings]), static_cast<double>(found.sizes.size())};
+    });
 }
 
 /// A column of 1 x 1 x 6 m in three dimensions, on its way to a twist of a revolution; Poisson's ratio is `value`.

@@ -16,6 +16,7 @@
 #include <imbibe/time/symplectic_euler.hpp>
 
 #include <benchmarks/support/elastic.hpp>
+#include <benchmarks/support/pieces.hpp>
 #include <catch_shim.hpp>
 
 #include <algorithm>
@@ -39,42 +40,6 @@ inline sph::Point<2> mean_of(const auto& view, auto field, std::size_t first, st
         if (view.ids()[static_cast<std::size_t>(i)] >= first && view.ids()[static_cast<std::size_t>(i)] < last)
             sum += view[field].row(i).transpose();
     return sum / static_cast<double>(last - first);
-}
-
-/// What a phase has come to.
-struct Pieces {
-    std::vector<int> sizes; // of the pieces, in particles
-    double closest;         // of two particles, m
-};
-/// Particles hang together where they are at most `reach` apart.
-inline Pieces pieces(const auto& view, double reach) {
-    const auto x = view[sph::position];
-    const int n = view.size();
-    std::vector<int> order(static_cast<std::size_t>(n));
-    for (int i = 0; i < n; ++i)
-        order[static_cast<std::size_t>(i)] = i;
-    std::sort(order.begin(), order.end(), [&](int i, int j) { return x(i, 0) < x(j, 0); });
-    std::vector<std::size_t> parent(order.size());
-    for (std::size_t k = 0; k < parent.size(); ++k)
-        parent[k] = k;
-    const auto find = [&](std::size_t k) {
-        while (parent[k] != k)
-            k = parent[k] = parent[parent[k]];
-        return k;
-    };
-    double closest = reach;
-    for (std::size_t k = 0; k < order.size(); ++k)
-        for (std::size_t l = k + 1; l < order.size() && x(order[l], 0) - x(order[k], 0) <= reach; ++l)
-            if (const double apart = (x.row(order[l]) - x.row(order[k])).norm(); apart <= reach) {
-                parent[find(l)] = find(k);
-                closest = std::min(closest, apart);
-            }
-    std::vector<int> size(order.size(), 0);
-    for (std::size_t k = 0; k < order.size(); ++k)
-        ++size[find(k)];
-    size.erase(std::remove(size.begin(), size.end(), 0), size.end());
-    std::sort(size.begin(), size.end());
-    return {size, closest};
 }
 
 } // namespace rubber_rings
@@ -121,7 +86,7 @@ TEST_CASE("Two rubber rings rebound as whole rings", "[validation][solid]") {
         const sph::Point<2> between = mean_of(view, sph::position, n, all) - mean_of(view, sph::position, 0, n);
         closest = std::min(closest, between.norm());
         if (s.time() >= next) {
-            const auto now = pieces(view, 1.5 * spacing);
+            const auto now = sph::bench::pieces(view, 1.5 * spacing);
             closest_pair = std::min(closest_pair, now.closest);
             CAPTURE(s.time(), now.sizes, now.closest / spacing);
             CHECK(now.sizes.size() <= 2); // never a fragment, also while they touch
@@ -136,7 +101,7 @@ TEST_CASE("Two rubber rings rebound as whole rings", "[validation][solid]") {
     const double rebound = apart.dot(between.normalized()) / (2 * speed);
     const double momentum_error = (sph::momentum(view) - start).norm() / of_one;
     const double energy_left = sph::kinetic_energy(view) / energy;
-    const auto rings_left = pieces(view, 1.5 * spacing).sizes;
+    const auto rings_left = sph::bench::pieces(view, 1.5 * spacing).sizes;
     CAPTURE(scene.steps(), closest, closest_pair / spacing, between.norm(), rebound, 1e15 * momentum_error, energy_left,
             least / energy, growth / energy);
     CHECK(closest < 2 * outer - 2 * spacing);                      // they did collide
