@@ -290,13 +290,15 @@ Outcome impact(const Plan& plan) {
     constexpr double reach = (dim == 2 ? 30 : 18) * dx;
     add_tank<F>(scene, box<dim>({-reach, 0}, {reach, 10 * dx}), c, dim == 2 ? open : open | sph::Sides::z);
     scene[water][sph::velocity].col(1).setConstant(static_cast<Real>(-v));
-    const Watch<dim> watch{
-        .end = 6 * dx / v,
-        .guard = {.energy = 0.05},
-        .signs = {{"spacings over the least distance of a pair", 5}, {"way into the wall, spacings", 1}},
-        .expected_steps = 6 * c / v};
+    const Watch<dim> watch{.end = 6 * dx / v,
+                           .guard = {.energy = 0.05},
+                           .signs = {{"spacings over the least distance of a pair", 5},
+                                     {"way into the wall, spacings", 1},
+                                     {"greatest rise of a density", 0.5}}, // the guard's bound
+                           .expected_steps = 6 * c / v};
     return march(scene, plan, watch, [&](const auto& s) {
-        return std::vector{1 / closest_pair(s[water]), way_into_wall(s[water], reach)};
+        const double rise = static_cast<double>(s[water][sph::density].maxCoeff()) / 1000 - 1;
+        return std::vector{1 / closest_pair(s[water]), way_into_wall(s[water], reach), std::max(rise, 0.0)};
     });
 }
 

@@ -23,11 +23,19 @@ TEST_CASE("In space water that is shaken comes to rest, and still water stays st
 TEST_CASE("In space a block of water hits a floor, and a drop a pool", "[stability]") { // rows 7 and 19
     check_preset_in_space(stability::impact<WeaklyCompressible, float, 3>, 0.3);
     check_preset_in_space(stability::splash<WeaklyCompressible, float, 3>);
-    check_margin(stability::impact<DamBreak, float, 3>, 0.3);
     check_margin(stability::splash<DamBreak, float, 3>);
     check_preset_in_space(stability::drops_in_flight<WeaklyCompressible, float, 3>, 0.2);
     check_margin(stability::drops_in_flight<DamBreak, float, 3>, 0.2);
     check_margin(stability::impact<PaperInSpace, float, 3>, 0.05);
+}
+
+TEST_CASE("In space particles of a thin film are laid on each other where nothing parts them", "[stability]") { // row 7
+    // Slow: at rest, nearly, while the film runs out. The guard within the preset's water parts them.
+    check_preset_in_space(stability::impact<WeaklyCompressible, float, 3>, 0.02);
+    // Known to fail, as docs/stability.md says: nothing in the README's dam break keeps two rows of a film apart.
+    const Outcome open = stability::impact<DamBreak, float, 3>({.cfl = 0.4, .value = 0.02});
+    INFO(words(open));
+    CHECK(open.cause == "spacings over the least distance of a pair");
 }
 
 TEST_CASE("In space a spinning cube of water stays free of clumps and voids", "[stability]") { // rows 1 and 6
