@@ -97,7 +97,7 @@ Outcome slotted_floor(const Plan& plan) {
         .end = end,
         .guard = {.energy = std::numeric_limits<double>::infinity()},
         .signs = {{"particles that came through", 0.5}, {"pressure on the floor, its error over rho g h", 0.1}},
-        .every = 50,
+        .every = 10, // 50 are, with the longest steps, as long as a wave takes up and down the water
         .expected_steps = end * c / dx};
     double pressed = 0, weight = 0; // since it settled
     return march(scene, plan, watch, [&](const auto& s) {
