@@ -75,6 +75,8 @@ void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried)
     try {
         Scene scene({.gravity = downwards<dim>(gravity), .support_radius = given_support, .threads = 1});
         std::optional<sph::PhaseHandle<typename Fluid::Water>> pool;
+        std::optional<sph::PhaseHandle<typename C::Body>> block;
+        std::optional<Roughness> rough;
         const double off = C::gap * spacing, wide = (dim == 2 ? 10 : 8) * spacing, inner = wide + 4 * spacing + 2 * off;
         if (has_water) {
             typename Fluid::Water water{{.density = water_density, .sound_speed = c, .viscosity = viscosity}};
@@ -97,8 +99,9 @@ void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried)
             auto points = sph::fill(box<dim>({2 * spacing, foot}, {7 * spacing, foot + 4 * spacing}), spacing);
             if (overlapping)
                 points.push_back(points.front());
-            const auto block = scene.add(body, points, given_spacing);
-            scene[block][sph::velocity].col(1).setConstant(static_cast<Real>(-std::sqrt(gravity * depth)));
+            block = scene.add(body, points, given_spacing);
+            rough.emplace(points, given_spacing);
+            scene[*block][sph::velocity].col(1).setConstant(static_cast<Real>(-std::sqrt(gravity * depth)));
         }
         scene.prepare();
         started = true;
@@ -111,6 +114,10 @@ void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried)
         if (pool) {
             CHECK(closest_pair(scene[*pool]) > 0.2);
             CHECK(way_into_wall(scene[*pool], inner) < 0.5);
+        }
+        if (block) { // 0.006 and 0.99 at worst
+            CHECK((*rough)(scene[*block]) < 0.05);
+            CHECK(closest_pair(scene[*block]) > 0.9);
         }
         CHECK(!must_be_refused);
         ++tried.ran;

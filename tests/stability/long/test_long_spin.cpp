@@ -1,5 +1,6 @@
 // A thousand turns of a spinning plate: does its stress stay what it is? Row 14 of the gauntlet; stress rates, which
-// have no stress-free configuration to go by, are turned in tests/solver.
+// have no stress-free configuration to go by, are turned in tests/terms/test_hughes_winget.cpp and, in a scene,
+// test_gauntlet_exact.cpp.
 #include <catch_shim.hpp>
 
 #include "stability/solids.hpp"
