@@ -31,6 +31,19 @@ void add_limits(Table& table) {
         water.set(sph::DensityFloorParameters{.rate = 20});
         return shaken_box(p, water, 2.6);
     });
+    row("SummationFloor, rate = 20", "shaken box", [](const Plan& p) {
+        auto water = liquid<RaisedToSum>();
+        water.set(sph::SummationFloorParameters{.rate = 20});
+        return shaken_box(p, water, 2.6);
+    });
+    row("SummationRelaxation, time = 2e-6 s", "shaken box", [](const Plan& p) {
+        auto water = liquid<Relaxed>();
+        water.set(sph::SummationRelaxationParameters{.time = 2e-6});
+        return shaken_box(p, water, 2.6);
+    });
+    row("ParticleShifting, H = 3", "box of nothing else", [](const Plan& p) { return shifted_box<2>(p, 3); });
+    row("ParticleShifting, H = 4", "box of nothing else", [](const Plan& p) { return shifted_box<2>(p, 4); });
+    row("ParticleShifting, H = 2.6", "box of nothing else in 3D", [](const Plan& p) { return shifted_box<3>(p, 2.6); });
     for (const double moved : {0.0, disorder}) {
         const char* box = moved > 0 ? "disordered shaken box" : "shaken box";
         row("DensityDiffusion, delta = 1", box, [=](const Plan& p) {
@@ -72,6 +85,10 @@ void add_limits(Table& table) {
         return shaken_channel<Sound, RiemannPlates>(p, liquid<Sound>(), 2.6,
                                                     sph::RiemannWallPressureParameters{.eta = 1e6});
     });
+    row("RiemannWallPressure, eta = 1e6, H = 2.6", "particles without pressure at a wall",
+        [](const Plan& p) { return dust_at_wall(p, 2.6); });
+    row("RiemannWallPressure, eta = 1e6, H = 3", "particles without pressure at a wall",
+        [](const Plan& p) { return dust_at_wall(p, 3); });
     row("VolumePressure between fluids", "shaken gas, a thousandth of the density, beside water", [](const Plan& p) {
         return shaken_layers<SoundMeetsGas>(p, liquid<Sound>(), Gas{{.density = 1, .sound_speed = 30}});
     });

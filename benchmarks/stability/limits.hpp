@@ -8,9 +8,13 @@
 #include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/corrected_gradients.hpp>
+#include <imbibe/fluid/particle_shifting.hpp>
+#include <imbibe/fluid/summation_relaxation.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
+#include <imbibe/time/dual_stepping.hpp>
 #include <imbibe/wall/no_slip.hpp>
+#include <imbibe/wall/riemann_wall.hpp>
 
 namespace stability {
 
@@ -82,6 +86,8 @@ struct Cleary : Liquid<sph::ClearyViscosity<C2>> {};
 struct Laminar : Liquid<sph::LaminarViscosity<sph::ViscosityKernel2D>> {};
 struct Monaghan : Liquid<sph::MonaghanViscosity<C2>> {};
 struct Floored : Liquid<sph::DensityFloor> {};
+struct Relaxed : Liquid<sph::SummationRelaxation<C2>> {};
+struct RaisedToSum : Liquid<sph::SummationFloor<C2>> {};
 struct Waves : sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::RiemannPressure<C2>> {};
 struct CorrectedLiquid : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::CorrectedContinuity<C2>,
                                     sph::CorrectedPressure<C2>> {};
@@ -162,6 +168,63 @@ Outcome shaken_layers(const Plan& plan, const Water& water, const Light& light) 
 template <class Body>
 Body raft(double light) {
     return elastic<Body>(sph::sq(10.0) * 1000 * light, 0.3, 1000 * light);
+}
+
+struct Shifted : sph::Fluid<sph::ParticleShifting<C2>> {};
+/// A periodic square (cube) of particles that are shifted and nothing else, as in the long steps of DualStepping, a
+/// hundredth of a spacing off their lattice. Where steps are too long it grows rougher.
+template <int dim>
+Outcome shifted_box(const Plan& plan, double support) {
+    constexpr double length = (dim == 2 ? 16 : 10) * dx, speed = 1;
+    sph::Settings<dim> settings{.support_radius = support * dx, .search_skin = 0.1, .threads = 1};
+    settings.periodic_length.fill(length);
+    sph::Solver<dim, double, sph::DualStepping<sph::ParticleShifting<C2>>, Shifted> scene(settings);
+    const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(length);
+    const auto lattice = sph::fill(sph::Box<dim>{lower, upper}, dx);
+    Shifted material{{.density = 1000, .sound_speed = 30}};
+    material.set(sph::ParticleShiftingParameters{.least_speed = speed});
+    const auto all = scene.add(material, sph::jitter<dim>(lattice, 0.01 * dx, 3), dx);
+    double first = 0;
+    const Watch<dim> watch{.end = 100 * scene.time_step_limits().front().seconds,
+                           .guard = {.energy = std::numeric_limits<double>::infinity()},
+                           .signs = {{"shifting speed over that at the start", 4}},
+                           .every = 1,
+                           .expected_steps = 100};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const double now = s.steps() > 0 ? s[all][sph::transport_correction].norm() : 0;
+        if (s.steps() == 1)
+            first = now;
+        return std::vector{s.steps() > 0 ? now / first : 0};
+    });
+}
+
+/// p = 0.
+struct NoPressure {
+    using reads = sph::Fields<>;
+    using sets = sph::Fields<sph::pressure>;
+    constexpr auto operator()(const auto& a) const { return typename std::remove_cvref_t<decltype(a)>::Scalar(0); }
+};
+struct Dust : sph::Fluid<NoPressure> {};
+struct DustAtPlates
+    : sph::Coupling<Dust, Plates, sph::Into<Dust, sph::RiemannWallNormal<C2>>, sph::RiemannWallPressure<C2>> {};
+/// Particles without pressure, which see each other not at all, at the surface of a wall and on their way into it. Its
+/// Riemann problems slow them down, and where steps are too long throw them back faster than they came.
+inline Outcome dust_at_wall(const Plan& plan, double support) {
+    sph::Solver<2, double, sph::SymplecticEuler, Dust, Plates, DustAtPlates> scene(
+        {.support_radius = support * dx, .threads = 1});
+    scene.template coupling<DustAtPlates>().set(sph::RiemannWallPressureParameters{.eta = 1e6});
+    std::vector<sph::Point<2>> grains;
+    for (int k = 0; k < 12; ++k)
+        grains.push_back({(0.3 + 4.07 * k) * dx, 0});
+    const auto dust = scene.add(Dust{{.density = 1000, .sound_speed = 30}}, grains, dx);
+    scene.add(Plates{{.density = 1000}}, sph::fill(sph::Box<2>{{-4 * dx, -4 * dx}, {52 * dx, 0}}, dx), dx);
+    scene[dust][sph::velocity].col(1).setConstant(-0.1);
+    Growth growth;
+    const Watch<2> watch{.end = 60 * dx / 30,
+                         .guard = {.energy = std::numeric_limits<double>::infinity()},
+                         .signs = {{"kinetic energy over that at the start", 1}},
+                         .every = 1};
+    return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[dust])}; });
 }
 
 struct Floor : sph::Wall<> {};

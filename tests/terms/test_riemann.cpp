@@ -284,7 +284,7 @@ TEST_CASE("the limits of the Riemann scheme, longer where nothing is fast") {
     CHECK(RiemannContinuity<K>::time_step_limit(brine(), {3e-3, 1e-3, 1, 1, 2}) == Approx(0.3 * 3e-3 / 30));
     CHECK(RiemannPressure<K>::time_step_limit(brine(), in, {}) == Approx(0.48 * 3e-3 / 6));
     CHECK(RiemannPressure<K>::time_step_limit(brine(), in, {.eta = 100}) == Approx(0.48 * 3e-3 / 30));
-    CHECK(RiemannWallPressure<K>::time_step_limit(brine(), bed(), in, {}) == Approx(2e-3 / 6));
+    CHECK(RiemannWallPressure<K>::time_step_limit(brine(), bed(), in, {}) == Approx(0.55 * 3e-3 / 6));
     CHECK(std::isinf(RiemannPressure<K>::time_step_limit(brine(), in, {.eta = 0})));
     // between two, the faster sound and both speeds count
     Water stiff = oil();
@@ -292,7 +292,12 @@ TEST_CASE("the limits of the Riemann scheme, longer where nothing is fast") {
     CHECK(RiemannContinuity<K>::time_step_limit(brine(), stiff, in) == Approx(0.255 * 3e-3 / 60));
     CHECK(RiemannContinuity<K>::time_step_limit(stiff, brine(), in) == Approx(0.255 * 3e-3 / 60));
     const TimeStepInput both{3e-3, 1e-3, 1, 1, 3, 1e-3, 0.5};
-    CHECK(RiemannWallPressure<K>::time_step_limit(brine(), bed(), both, {}) == Approx(2e-3 / 9));
+    CHECK(RiemannWallPressure<K>::time_step_limit(brine(), bed(), both, {}) == Approx(0.55 * 3e-3 / 9));
+    // the fluid's sound counts, not that of a stiff solid
+    auto steel = sponge();
+    steel.sound_speed = 5000;
+    CHECK(RiemannWallPressure<K>::time_step_limit(brine(), steel, in, {.eta = 100}) == Approx(0.55 * 3e-3 / 30));
+    CHECK(RiemannWallPressure<K>::time_step_limit(steel, brine(), in, {.eta = 100}) == Approx(0.55 * 3e-3 / 30));
     CHECK_THROWS_AS(RiemannPressureParameters{.eta = -1}.check("Water"), Error);
     CHECK_THROWS_AS(RiemannWallPressureParameters{.eta = -1}.check("Sides"), Error);
 }
