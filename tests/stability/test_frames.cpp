@@ -144,3 +144,23 @@ TEST_CASE("A particle far from all others changes nothing and flies freely", "[s
     CHECK(with(25, 2) == 0);
     CHECK(with(25, 3) == Approx(-g * 30 * 5e-6).epsilon(1e-12));
 }
+
+TEST_CASE("No particles are refused, and one of each phase flies freely", "[stability]") { // row 16
+    auto scene = coupled_scene<SoundCoupling, double>(30);
+    CHECK_THROWS_WITH(scene.step(1e-5), imbibe_test::contains("no particles"));
+    const auto water = add_water<Fluid>(scene, std::vector<sph::Point<2>>{{0, 0}}, 30);
+    const auto body = add_body<SoundCoupling>(scene, std::vector<sph::Point<2>>{{1, 2}}, 1e6, 0.3, 950);
+    scene[water][sph::velocity].row(0) << 3, 1;
+    constexpr int steps = 50;
+    constexpr double dt = 1e-5;
+    for (int k = 0; k < steps; ++k)
+        scene.step(dt);
+    const auto check = [](const auto& phase, const RowVector2d& start, const RowVector2d& thrown) {
+        const RowVector2d down(0, -g);
+        CHECK((phase[sph::velocity].row(0) - (thrown + steps * dt * down)).norm() < 1e-13);
+        CHECK((phase[sph::position].row(0) - (start + steps * dt * (thrown + 0.5 * (steps + 1) * dt * down))).norm() <
+              1e-13);
+    };
+    check(scene[water], {0, 0}, {3, 1});
+    check(scene[body], {1, 2}, {0, 0});
+}

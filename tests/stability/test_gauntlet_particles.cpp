@@ -30,6 +30,20 @@ TEST_CASE("Where a support is warned of, gradients are about half of what they s
     check(imbibe::Spiky{});
 }
 
+TEST_CASE("A support with too few neighbours is warned of, with the number", "[stability]") { // row 12
+    const auto warnings = [](double support) {
+        using stability::dx;
+        using Water = stability::WeaklyCompressible::Water;
+        imbibe::Solver<2, double, imbibe::SymplecticEuler, Water> scene({.support_radius = support * dx});
+        scene.add(stability::water_of<stability::WeaklyCompressible>(30),
+                  imbibe::fill(imbibe::Box<2>{{0, 0}, {8 * dx, 8 * dx}}, dx), dx);
+        return scene.warnings();
+    };
+    REQUIRE(warnings(1.29).size() == 1);
+    CHECK_THAT(warnings(1.29)[0], imbibe_test::contains("1.29 spacings") && imbibe_test::contains("neighbours"));
+    CHECK(warnings(1.31).empty());
+}
+
 TEST_CASE("No pair nearer than nine tenths of a support is missed, however fast particles fly", "[stability]") {
     for (const double way : {0.003, 0.04, 0.3, 10.0}) // row 22
         CHECK(stability::fast_swarm<90>({.value = way}).signs[0].worst == 0);
