@@ -12,6 +12,8 @@
 #include "case.hpp"
 #include "free_surface.hpp"
 
+#include <imbibe/fluid/summation_density.hpp>
+
 #include <algorithm>
 
 namespace validation::still_water {
@@ -21,7 +23,12 @@ struct Still : Water<K, sph::MonaghanViscosity<K>> {};
 struct Tank : sph::Wall<> {};
 struct StillInTank : sph::Coupling<Still, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                    sph::Into<Still, sph::VolumeContinuity<K>>> {};
-using Scene = sph::Solver<2, double, sph::SymplecticEuler, Still, Tank, StillInTank>;
+
+/// The same with SummationFloor.
+struct Floored : Water<K, sph::MonaghanViscosity<K>, sph::SummationFloor<K>> {};
+struct FlooredInTank
+    : sph::Coupling<Floored, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
+                    sph::Into<Floored, sph::VolumeContinuity<K>>, sph::Into<Floored, sph::SummationNeighbours<K>>> {};
 
 constexpr double g = 9.81, rho = 1000, side = 1;
 constexpr double weight = rho * g * side; // Pa: 9810
@@ -34,14 +41,17 @@ struct Deviation {
     int row;       ///< particles in the lowest row
 };
 
+template <class Liquid = Still, class Contact = StillInTank>
 class Column {
+    using Scene = sph::Solver<2, double, sph::SymplecticEuler, Liquid, Tank, Contact>;
+
 public:
     /// @param across particles along a side
     /// @param hydrostatic does it start with the pressure of its weight?
     Column(int across, bool hydrostatic)
         : spacing(side / across), surface(hydrostatic ? side : sound2 / g * std::log1p(g * side / sound2)),
           scene({.gravity = {0, -g}, .support_radius = 3 * spacing, .threads = 1}) {
-        Still still{{.density = rho, .sound_speed = std::sqrt(sound2)}};
+        Liquid still{{.density = rho, .sound_speed = std::sqrt(sound2)}};
         still.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
         water = scene.add(still, sph::fill(sph::Box<2>{{0, 0}, {side, side}}, spacing), spacing);
         scene.add(Tank{{.density = rho}},
@@ -88,19 +98,23 @@ public:
         return found;
     }
 
+    /// How high the highest particle reaches, and the water on average, m.
+    double top() const { return scene[water][sph::position].col(1).maxCoeff() + spacing / 2; }
+    double mean_level() const { return 2 * scene[water][sph::position].col(1).mean(); }
+
 private:
     /// The reference.
     double pressure(double y) const { return rho * sound2 * std::expm1(g * (surface - y) / sound2); }
 
     double spacing, surface;
     Scene scene;
-    sph::PhaseHandle<Still> water;
+    sph::PhaseHandle<Liquid> water;
 };
 
 inline std::vector<Measured> measure(int across) {
     std::vector<Measured> measured;
     for (const bool hydrostatic : {true, false}) {
-        Column column(across, hydrostatic);
+        Column<> column(across, hydrostatic);
         column.greatest_kinetic_until(50);
         const Deviation off = column.deviation_until(55);
         const std::string start = hydrostatic ? ", started with it" : ", started without pressure";
