@@ -5,7 +5,8 @@
 
 TEST_CASE("A drop is drawn out into the ellipse it should become", "[validation][fluid]") {
     const auto shapes = validation::elliptic_drop::stretch(20, {0.0038, 0.0076});
-    CAPTURE(shapes[0].long_axis, shapes[0].short_axis, shapes[1].long_axis, shapes[1].short_axis, shapes[1].reach, shapes[1].energy);
+    CAPTURE(shapes[0].long_axis, shapes[0].short_axis, shapes[1].long_axis, shapes[1].short_axis, shapes[1].reach,
+            shapes[1].energy);
     CHECK(shapes[0].long_axis == Approx(1.43922).epsilon(0.01));
     CHECK(shapes[0].short_axis == Approx(0.69482).epsilon(0.01));
     CHECK(shapes[1].long_axis == Approx(1.94452).epsilon(0.01));
