@@ -151,14 +151,14 @@ TEST_CASE("No particles are refused, and one of each phase flies freely", "[stab
     const auto water = add_water<Fluid>(scene, std::vector<sph::Point<2>>{{0, 0}}, 30);
     const auto body = add_body<SoundCoupling>(scene, std::vector<sph::Point<2>>{{1, 2}}, 1e6, 0.3, 950);
     scene[water][sph::velocity].row(0) << 3, 1;
-    constexpr int steps = 50;
+    constexpr int taken = 50;
     constexpr double dt = 1e-5;
-    for (int k = 0; k < steps; ++k)
+    for (int k = 0; k < taken; ++k)
         scene.step(dt);
     const auto check = [](const auto& phase, const RowVector2d& start, const RowVector2d& thrown) {
         const RowVector2d down(0, -g);
-        CHECK((phase[sph::velocity].row(0) - (thrown + steps * dt * down)).norm() < 1e-13);
-        CHECK((phase[sph::position].row(0) - (start + steps * dt * (thrown + 0.5 * (steps + 1) * dt * down))).norm() <
+        CHECK((phase[sph::velocity].row(0) - (thrown + taken * dt * down)).norm() < 1e-13);
+        CHECK((phase[sph::position].row(0) - (start + taken * dt * (thrown + 0.5 * (taken + 1) * dt * down))).norm() <
               1e-13);
     };
     check(scene[water], {0, 0}, {3, 1});

@@ -13,13 +13,13 @@ namespace {
 
 namespace sph = imbibe;
 constexpr double turning_step = 1e-4; // s; a hundred of them make a turn
+constexpr double tangent = 0.03142626604335115; // of pi/100; std::tan is not constexpr
 
 /// The velocity gradient of that rotation, half-way in a step.
 struct Turning {
     using sets = sph::Fields<sph::velocity_gradient>;
     constexpr auto operator()(const auto& a) const {
         using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
-        const double tangent = std::tan(std::numbers::pi / 100);
         auto L = sph::Tensor<T, 2>::zero();
         L(0, 1) = T(-2 * tangent / turning_step);
         L(1, 0) = T(2 * tangent / turning_step);
