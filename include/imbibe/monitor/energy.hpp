@@ -150,7 +150,7 @@ double stored_energy(const View& phase) {
         if constexpr (detail::has_stored_energy<dim, Phase, typename Phase::terms>)
             return elastic_energy<dim>(phase);
         else if constexpr (!detail::suits<Phase, NeoHookean>)
-            return 0; // is not known
+            return 0; // of a phase whose terms are an error of its own
         else
             return detail::sum_over_deformations<dim>(phase, [&](const Tensor<double, dim>& F) {
                 return NeoHookean::stored_energy<dim>(phase.material(), F);

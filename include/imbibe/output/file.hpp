@@ -78,12 +78,12 @@ public:
     void commit_to_disk(const F& before) {
         out_.close();
         check();
-        if (!force(temporary_))
+        force(temporary_, Extent::file_system); // what a disk refused of other files, those who wrote them were told
+        if (!force(temporary_, Extent::itself))
             refuse();
-        force_what_was_written_before();
         before();
         rename();
-        force(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
+        force(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."), Extent::itself);
     }
 
 private:
@@ -101,30 +101,30 @@ private:
         auto target = std::filesystem::canonical(path, unknown);
         return unknown ? path : target;
     }
-    // Empties the system's buffers of a file or folder. False where the disk refuses what is in them; where the system
-    // does not offer this, nothing is lost but that guarantee.
-    static bool force([[maybe_unused]] const std::filesystem::path& path) {
+#if __has_include(<unistd.h>)
+    static int sync_file_system([[maybe_unused]] int file_on_it) {
+#if defined(__linux__)
+        return ::syncfs(file_on_it);
+#else
+        ::sync();
+        return 0;
+#endif
+    }
+#endif
+    enum class Extent { itself, file_system };
+    // Empties the system's buffers of a file or folder, or of all that is on its file system. False where the disk
+    // refuses what is in them; where the system does not offer this, nothing is lost but that guarantee.
+    static bool force([[maybe_unused]] const std::filesystem::path& path, [[maybe_unused]] Extent extent) {
 #if __has_include(<unistd.h>)
         const int file = ::open(path.c_str(), O_RDONLY);
         if (file >= 0) {
-            const bool refused = ::fsync(file) != 0 && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP;
+            const bool done = (extent == Extent::itself ? ::fsync(file) : sync_file_system(file)) == 0;
+            const bool refused = !done && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP;
             ::close(file);
             return !refused;
         }
 #endif
         return true;
-    }
-    // What a disk refused of other files, those who wrote them have been told.
-    void force_what_was_written_before() const {
-#if defined(__linux__)
-        const int file = ::open(temporary_.c_str(), O_RDONLY);
-        if (file >= 0) {
-            ::syncfs(file);
-            ::close(file);
-        }
-#elif __has_include(<unistd.h>)
-        ::sync();
-#endif
     }
     void check() const {
         if (!out_.good())
