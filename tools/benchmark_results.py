@@ -9,8 +9,6 @@ import subprocess
 import sys
 import time
 
-import psutil
-
 TIMES = ("particle", "moving", "hand", "evaluation", "neighbour", "read")  # counters in seconds: the least is the best guess
 RATES = ("flops",)  # the greatest is
 
@@ -73,6 +71,10 @@ class Others:
     @staticmethod
     def now():
         """(seconds on a clock, seconds of all processors that neither were idle nor worked for this program)"""
+        try:
+            import psutil  # here, so that what measures nothing, as a test of a page's constants, does without it
+        except ImportError:
+            stop("needs psutil: run sh tools/install_packages.sh benchmarks, then Debian's own /usr/bin/python3")
         machine, own = psutil.cpu_times(), os.times()
         busy = machine.user + machine.nice + machine.system + getattr(machine, "steal", 0.0)
         return time.monotonic(), busy - (own.user + own.system + own.children_user + own.children_system)
