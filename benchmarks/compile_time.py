@@ -3,6 +3,7 @@
 
     python3 benchmarks/compile_time.py                      all of it: half an hour on a busy core
     python3 benchmarks/compile_time.py --only gyroid        only the rows with this word in them; the others stay
+    python3 benchmarks/compile_time.py --check              writes nothing: fails where memory is over its budget
 
 Every file is compiled alone, on one core, with -O3 -march=native and OpenMP. Seconds are those of the processor, user
 and system, the least of the repeats: on a machine with other work they still vary by a third. Memory is the greatest
@@ -23,6 +24,15 @@ SPONGE = [f"examples/support/sponge_run_{name}.cpp"
 FROM_A_PRESET = "examples/guides/from_a_preset.cpp"  # a dam break, too
 BUDGET = {"examples/dam_break.cpp": (5, 0.7), FROM_A_PRESET: (5, 0.7), SPONGE[2]: (10, 1.0)}
 PRESETS = ["-DIMBIBE_COMPILED_PRESETS"]  # as where CMake links imbibe::presets
+CODE = {  # what the code of a program is for, by the names of its functions: the first that fits
+    "sweeps over neighbours": r"sweep_(block|sources)",
+    "output": r"Vtk|Snapshots|AtomicFile|require_writable|xml_escaped",
+    "`describe`, `Progress` and warnings": r"describe|Progress::|[Ww]arning|(type|full_type)_name|name_(in|among)|in_words",
+    "neighbour search, sorting and moving": r"imbibe::search|Neighbourhood|Mover|PairDistances",
+    "geometry": r"imbibe::(fill|tank|Box|point_text|detail::(fill|tank|require_distinct|lattice))|stored_places",
+    "checks and texts of errors": r"imbibe::(text|require\w*|Error)\b|::check",
+    "the rest": r"",
+}
 
 
 class Compiler:
@@ -172,20 +182,47 @@ def measure_phases(page, compiler):
         page.put("phases", [words[name], f"{seconds:.1f}", f"{100 * seconds / sum(found.values()):.0f} %"])
 
 
+def measure_code(page, compiler):
+    """What the code of the dam break is for."""
+    compiler.measure(os.path.join(ROOT, "examples/dam_break.cpp"))
+    symbols = subprocess.run(["nm", "-S", "-C", compiler.object], capture_output=True, text=True, check=True).stdout
+    sizes = dict.fromkeys(CODE, 0)
+    for size, name in re.findall(r"^\w+ (\w+) [tTwWuU] (.*)$", symbols, re.MULTILINE):
+        sizes[next(words for words, pattern in CODE.items() if re.search(pattern, name))] += int(size, 16)
+    for words, size in sizes.items():
+        page.put("code", [words, f"{size * 1e-3:.0f}", f"{100 * size / sum(sizes.values()):.0f} %"])
+
+
+def check(compiler):
+    """Fails where a program of a budget takes more memory than that; seconds say too little on a shared machine."""
+    over = []
+    for path, flags, _ in programs():
+        if path in BUDGET and (flags or path != FROM_A_PRESET):  # which is for what the library has compiled
+            memory = compiler.measure(os.path.join(ROOT, path), flags)[1]
+            over += [f"{path} {' '.join(flags)}: {memory:.2f} GB"] if memory > BUDGET[path][1] else []
+    if over:
+        sys.exit("compile_time.py: over the budget: " + "; ".join(over))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--compilers", nargs="+", default=["g++", "clang++"], help="the first one compiles everything")
     parser.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)), help="which core (default: the last)")
-    parser.add_argument("--repeats", type=int, default=1)
-    parser.add_argument("--only", default="", help="only programs whose path has this in it; or steps, or phases")
+    parser.add_argument("--repeats", type=int, default=1, help="the least of so many is kept (default: 1)")
+    parser.add_argument("--check", action="store_true", help="only compare memory with its budget; write nothing")
+    parser.add_argument("--only", default="", help="only programs whose path has this in it; or steps, phases, code")
     parser.add_argument("--page", default=os.path.join(ROOT, "docs", "compile_time.md"), help="the page to write into")
     arguments = parser.parse_args()
     compilers = [Compiler(name, arguments.core, arguments.repeats) for name in arguments.compilers]
+    if arguments.check:
+        return check(compilers[0])
     page = Page(arguments.page)
     if arguments.only in ("", "steps"):
         measure_steps(page, compilers[0])
     if arguments.only in ("", "phases"):
         measure_phases(page, compilers[0])
+    if arguments.only in ("", "code"):
+        measure_code(page, compilers[0])
     measure_programs(page, compilers, arguments.only)
 
 

@@ -78,14 +78,19 @@ TEST_CASE("The report of a scene names effects, fields, bytes, sweeps, neighbour
     says(report, "material: density 1000 kg/m^3, sound speed ");
     says(report, "Into<");
     says(report, "PressureExtrapolation<"); // clang++ leaves out what is the default
-    says(report, sph::text("Schedule: ", Scene::Scene::plan.rounds, " rounds, "));
-    const auto& s = scene.engine().template state<Water>();
-    says(report, sph::text(std::remove_cvref_t<decltype(s)>::component_total * 4, " bytes each"));
-    for (const char* field : {"position", "velocity", "density", "pressure", "mass"})
-        says(report, field);
-    says(report, "Neighbours: Water has ");
-    says(report, "    sweeps:  ");
-    says(report, sph::text(" on average; ", sph::Costs<Scene>::loads<Water, Water>, " numbers of each are loaded"));
+    // Of the water 2 of position, velocity and acceleration each and 5 others; the wall at rest stores no velocity.
+    says(report, "Water: 200 particles, spacing 20 mm, support radius 52 mm, 44 bytes each\n");
+    says(report, "Tank: 273 particles, spacing 20 mm, support radius 52 mm, 32 bytes each\n");
+    says(report, "    fields:  position, velocity, acceleration, mass, density, pressure, density_rate, "
+                 "pressure_over_density2\n    sweeps:  2 a step\n");
+    says(report, "    fields:  position, mass, extrapolation_weight, extrapolation_sum, pressure, "
+                 "pressure_over_density2, density\n    sweeps:  1 a step\n");
+    says(report, "\nSchedule: 3 rounds, 5 loops\n"); // density; the wall's pressure from it; forces
+    says(report, "Water on average; 12 numbers of each are loaded in a step\n");
+    says(report, "Neighbours: Tank has 1.19048 of Water on average; 4 numbers of each are loaded in a step\n");
+    says(report, "Neighbours: Water has 1.625 of Tank on average; 4 numbers of each are loaded in a step\n");
+    CHECK(Scene::Scene::plan.rounds == 3);
+    CHECK(sph::Costs<Scene>::loads<Water, Water> == 12);
     says(report, " MB for neighbours");
     const auto limits = scene.time_step_limits();
     REQUIRE(limits.size() >= 2);
@@ -104,7 +109,11 @@ TEST_CASE("The report names nothing that is off", "[reports]") {
     sph::Solver<2, float, sph::SymplecticEuler, Calm> scene({.support_radius = 0.052, .threads = 1});
     scene.add(Calm{{.density = 1000, .sound_speed = 10}}, sph::fill(sph::Box<2>{{0, 0}, {0.2, 0.2}}, 0.02), 0.02);
     const std::string report = sph::describe(scene);
-    says(report, "effects: LinearState, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>");
+    says(report, "support radius 52 mm, 44 bytes each\n");
+    says(report, "effects: LinearState, Continuity<WendlandC2>, SymmetricPressure<WendlandC2>\n    fields:  position, "
+                 "velocity, acceleration, mass, density, pressure, density_rate, pressure_over_density2\n"
+                 "    sweeps:  2 a step\nSchedule: 2 rounds, 3 loops\n");
+    says(report, "of Calm on average; 9 numbers of each are loaded in a step\n");
     for (const char* off : {"iscosity", "viscous", "stress", "deformation", "reference", "acoustic", "normal", "Wall",
                             "Into<", "of Tank", "within it", "repulsion"}) {
         INFO(off << " in\n" << report);
