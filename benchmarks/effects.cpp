@@ -83,6 +83,13 @@ struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlip
 struct FloorLoaded : Extrapolation<Floor, Into<Floor, ReactionForce<VolumePressure<K>>>> {};
 struct FloorRiemann : Riemann<Floor> {};
 struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};
+struct CorrectedFloor : Coupling<WaterCorrectedViscosity, Floor, Into<Floor, PressureExtrapolation<K>>,
+                                 VolumePressure<K>, Into<WaterCorrectedViscosity, VolumeContinuity<K>>,
+                                 Into<WaterCorrectedViscosity, CorrectionNeighbours<K>>> {};
+struct CorrectedFloorNoSlip : Coupling<WaterCorrectedViscosity, Floor, Into<Floor, PressureExtrapolation<K>>,
+                                       VolumePressure<K>, Into<WaterCorrectedViscosity, VolumeContinuity<K>>,
+                                       Into<WaterCorrectedViscosity, CorrectionNeighbours<K>>,
+                                       Into<Floor, NoSlipVelocity<K>>, CorrectedNoSlipViscosity<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -114,22 +121,22 @@ struct Alone {
     }
     static auto prepared() { return bench::block<float>(material<P>(), particles, support); }
 };
-/// A cube of water on a layer of another phase, with a coupling or none. Costs are those of both phases together.
-template <class Below, class... Between>
+/// A cube of a fluid on a layer of another phase, with a coupling or none. Costs are those of both phases together.
+template <class Above, class Below, class... Between>
 struct OnTop {
-    using Costs = imbibe::Costs<Composition<3, Water, Below, Between...>>;
+    using Costs = imbibe::Costs<Composition<3, Above, Below, Between...>>;
     static std::string costs() {
-        return text(Costs::template bytes<Water, float> + Costs::template bytes<Below, float>, " ",
-                    Costs::template sweeps<Water> + Costs::template sweeps<Below>, " ", Costs::rounds, " ",
-                    Costs::template loads<Water, Water> + Costs::template loads<Water, Below> +
-                        Costs::template loads<Below, Water> + Costs::template loads<Below, Below>);
+        return text(Costs::template bytes<Above, float> + Costs::template bytes<Below, float>, " ",
+                    Costs::template sweeps<Above> + Costs::template sweeps<Below>, " ", Costs::rounds, " ",
+                    Costs::template loads<Above, Above> + Costs::template loads<Above, Below> +
+                        Costs::template loads<Below, Above> + Costs::template loads<Below, Below>);
     }
     static auto prepared() {
         using bench::spacing;
-        Solver<3, float, SymplecticEuler, Water, Below, Between...> scene(
+        Solver<3, float, SymplecticEuler, Above, Below, Between...> scene(
             {.gravity = {0, 0, -9.81}, .support_radius = support * spacing, .threads = 1});
         const double side = std::cbrt(double(particles)) * spacing;
-        const auto water = scene.add(material<Water>(), bench::cube(particles), spacing);
+        const auto water = scene.add(material<Above>(), bench::cube(particles), spacing);
         const auto below =
             scene.add(material<Below>(), fill(Box<3>{{0, 0, -3 * spacing}, {side, side, 0}}, spacing), spacing);
         bench::stir(scene[water], spacing);
@@ -166,7 +173,7 @@ void add(Cases& cases, const char* effect, const char* good_for) {
 }
 template <class Between>
 void add_contact(Cases& cases, const char* effect, const char* good_for) {
-    add<Between, OnTop<typename Between::Second, Between>>(cases, effect, good_for);
+    add<Between, OnTop<typename Between::First, typename Between::Second, Between>>(cases, effect, good_for);
 }
 
 Cases all_cases() {
@@ -230,8 +237,8 @@ Cases all_cases() {
                        "solids that are hit, twisted or bent hard");
     add<PlateVolumetric>(cases, "`VolumetricDeviatoric` in place of `StVenantKirchhoff`",
                          "rubber that hardly changes its volume");
-    add<Floor, OnTop<Floor>>(cases, "that fluid on a floor that it does not see",
-                             "what the rows below are compared with");
+    add<Floor, OnTop<Water, Floor>>(cases, "that fluid on a floor that it does not see",
+                                    "what the rows below are compared with");
     add_contact<FloorExtrapolation>(
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two", "walls");
     add_contact<FloorNoSlip>(cases, "the same with `NoSlipVelocity` and `NoSlipViscosity`",
@@ -241,8 +248,13 @@ Cases all_cases() {
     add_contact<FloorRiemann>(cases, "`RiemannWallNormal`, `RiemannWallPressure`, `RiemannWallContinuity`",
                               "walls that are hit");
     add_contact<FloorRepulsion>(cases, "`KernelRepulsion`", "the paper's walls; a guard beside one of the others");
-    add<Slab, OnTop<Slab>>(cases, "that fluid on a total-Lagrangian slab that it does not see",
-                           "what the rows below are compared with");
+    add_contact<CorrectedFloor>(
+        cases, "a fluid with `CorrectedViscosity` on a floor with `PressureExtrapolation` and `CorrectionNeighbours`",
+        "what the row below is compared with");
+    add_contact<CorrectedFloorNoSlip>(cases, "`NoSlipVelocity` and `CorrectedNoSlipViscosity`",
+                                      "walls that such a fluid sticks to");
+    add<Slab, OnTop<Water, Slab>>(cases, "that fluid on a total-Lagrangian slab that it does not see",
+                                  "what the rows below are compared with");
     add_contact<SlabExtrapolation>(
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two",
         "pressure without a number to choose");

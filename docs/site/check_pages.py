@@ -8,7 +8,8 @@ too, against what they speak of:
   (in a header it may stand further to the left)
 - every line of CMake stands, for other names, in a file of tests/consume that the line before the block names likewise;
 - every program and script that a block of commands calls is there, and so is every target it builds;
-- every term has its place in docs/policies.md, and its cost in docs/effects.md;
+- every term has its place in docs/policies.md, and its cost in docs/effects.md; its comment and that of every kernel and
+  integrator names the source, and what it is not for;
 - every link to a file, a page or a heading has where to go;
 - every example is short.
 
@@ -27,6 +28,7 @@ from filter import slug
 STUDIES = {"sponge_study.cpp"}  # programs among the examples that are not for copying
 COMPILED = ("examples/", "tests/", "benchmarks/", "include/")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+NOT_FOR = r"\b(?:Not|[Nn]ot to be used|not for|instead|only (?:where|beside))\b|[Ww]ithout use"
 CUT = re.compile(r"<!-- (\S+) -->\n\Z")
 WHOLE = re.compile(r"<!-- (\S+[.][ch]pp): begin[^\n]*-->\n\Z")
 WHOLE_BLOCK = re.compile(r"(<!-- (\S+[.][ch]pp): begin[^\n]*-->\n).*?(<!-- \2: end -->)", re.DOTALL)
@@ -141,6 +143,19 @@ def faults_of_the_list(text):
                     yield f"does not have {name}"
 
 
+def faults_of_comments(path):
+    """Terms, kernels and integrators of a header whose comment leaves out where they are from or what they are not for."""
+    public = re.sub(r"(?ms)^namespace detail \{.*?^\} // namespace detail$", "", text_of(path))
+    for comment, name, body in re.findall(r"((?:^///[^\n]*\n)*)(?:^(?:template| )[^\n]*\n)*^struct (\w+)[^\n]*\{\n(.*?)^\};",
+                                          public, re.MULTILINE | re.DOTALL):
+        if re.search(r"^    using (?:parts|reads|adds|sets|stores) =|static void step\(", body, re.MULTILINE) or \
+                "/kernels/" in path and "static constexpr const char* name" in body:
+            if "Source: " not in comment:
+                yield f"{path}: the comment of {name} names no source"
+            if not re.search(NOT_FOR, comment):
+                yield f"{path}: the comment of {name} does not say what it is not for"
+
+
 def headings(path):
     """The anchors of a page."""
     found, in_code = set(), False
@@ -197,7 +212,7 @@ def main():
                if len(lines_of(path)) >= 80 and os.path.basename(path) not in STUDIES]
     for path in sorted(glob.glob(os.path.join(HEADERS, "**", "*.hpp"), recursive=True)):
         wrong, more = faults_of_header(os.path.relpath(path, ROOT))
-        faults, blocks = faults + wrong, blocks + more
+        faults, blocks = [*faults, *wrong, *faults_of_comments(os.path.relpath(path, ROOT))], blocks + more
     print("\n".join(faults) or f"{len(pages)} pages, {blocks} blocks of C++")
     return 1 if faults or not blocks else 0
 

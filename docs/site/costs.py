@@ -69,9 +69,12 @@ def tables():
         for name, measured in found.items():
             made[name] = ["@par Cost", "", heading, "| --- |" + " ---: |" * (heading.count("|") - 2),
                           *(f"| {what} | {' | '.join(numbers)} |" for what, numbers in measured)]
+    for part, cost in rows("effects.md", "| part |"):
+        made[part.strip("`")] = ["@par Cost", cost[0].upper() + cost[1:] + "."]
     for kind, names in rows("policies.md", "| | Policies |"):
-        if kind not in ("Parts that terms share", "Time", "Watching"):
+        if kind not in ("Time", "Watching", "Put together"):
             for name in re.findall(r"`(\w+)", names):
-                made.setdefault(name, ["@par Cost", "Not measured by itself yet." if name[0].isupper() else
-                                       "None in a step: called when the scene is set up."])
+                if name not in made and name[0].isupper():
+                    raise SystemExit(f"costs.py: nothing says what {name} costs: give it a row in docs/effects.md")
+                made.setdefault(name, ["@par Cost", "None in a step: called when the scene is set up."])
     return made

@@ -7,14 +7,17 @@ without a title. What it saw stays as pictures, to be looked at:
     cmake --preset docs && cmake --build --preset docs
     python3 docs/site/look_at_pages.py build-docs          writes build-docs/looks/<page>_<width>.png
 
-Looked at are the hand-written pages, the lists of names and, of the pages that Doxygen makes of the headers, every tenth.
+Looked at are the hand-written pages, the lists of names and, of the pages that Doxygen makes of the headers, all that
+docs/policies.md names and of the others every tenth.
 """
 
 import argparse
 import glob
 import os
+import re
 import sys
 
+from costs import rows
 from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
@@ -79,7 +82,10 @@ def chosen(html):
     lists = ("dir_", "functions", "files", "graph_legend", "namespacemembers")  # they have no title
     made = [page for page in made if not page.endswith(("-members.html", "_source.html")) and not page.startswith(lists)]
     of_headers = [page for page in made if page.startswith(("struct", "class", "namespace", "concept"))]
-    return [page for page in made if page not in of_headers] + of_headers[::10]
+    named = {f"structimbibe_1_1{name}.html" for row in rows("policies.md", "| | Policies |")
+             for name in re.findall(r"`(\w+)", row[1])}
+    return [page for page in made if page not in of_headers or page in named] + \
+        [page for page in of_headers if page not in named][::10]
 
 
 def look(driver, html, looks, page, width):

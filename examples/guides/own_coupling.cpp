@@ -1,5 +1,6 @@
-// A coupling of one's own: the drag between water and a porous solid that occupy the same place. What one loses the
-// other gains, and they come to one velocity at the rate that Darcy's law asks for.
+// A coupling of one's own: the drag between water and the matrix of a porous solid that occupy the same place (here the
+// matrix flows as a fluid does: what holds it together is left out). What one loses the other gains, and they come to
+// one velocity at the rate that Darcy's law asks for.
 #include <imbibe/imbibe.hpp>
 
 #include <cstdio>

@@ -2,8 +2,7 @@
 // expect: FieldNotStored
 // expect: no term of this phase uses this field, so it is not stored
 // expect: DeviatoricStress
-// expect: Water
-// expect: list_a_term_that_uses_it_or_look_at_another
+// expect: Water, imbibe::list_a_term_that_uses_it_or_look_at_another>
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};

@@ -1,8 +1,7 @@
 // What acts on one side of a coupling, in a phase.
 // expect: this is listed where a term is expected, and is none
 // expect: NotATerm<imbibe::Into<
-// expect: Water
-// expect: list_terms_only_and_Into_only_in_couplings
+// expect: Water, imbibe::list_terms_only_and_Into_only_in_couplings>
 #include "scene.hpp"
 
 struct Stone : sph::Wall<> {};

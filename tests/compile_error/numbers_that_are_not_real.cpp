@@ -1,8 +1,7 @@
 // A scene whose numbers are whole.
 // expect: NotRealNumbers
 // expect: the numbers of a scene are float or double
-// expect: int
-// expect: write_float_or_double
+// expect: int, imbibe::write_float_or_double>
 #include "scene.hpp"
 
 #include <imbibe/monitor/guard.hpp>

@@ -1,8 +1,7 @@
 // A sum over reference neighbours between two phases: a phase keeps reference neighbours of its own only.
 // expect: a coupling has no reference neighbours, a phase keeps those of its own only
 // expect: ReferenceNeighboursInCoupling<
-// expect: Contact
-// expect: give_the_term_to_the_phase_or_use_current_neighbours
+// expect: Contact, imbibe::give_the_term_to_the_phase_or_use_current_neighbours>
 #include "scene.hpp"
 
 struct Glue {

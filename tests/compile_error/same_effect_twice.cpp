@@ -2,8 +2,7 @@
 // expect: two terms are forms of the same equation, which would count twice
 // expect: SameEffectTwice<imbibe::effects::continuity_equation, imbibe::Continuity<
 // expect: imbibe::VolumeContinuity<
-// expect: Water
-// expect: remove_one_of_the_two_terms
+// expect: Water, imbibe::remove_one_of_the_two_terms>
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::VolumeContinuity<K>, sph::SymmetricPressure<K>> {};

@@ -2,8 +2,7 @@
 // expect: two terms of one phase set the same field
 // expect: SetTwice<imbibe::Density, imbibe::SummationDensity<
 // expect: imbibe::VolumeContinuity<
-// expect: Water
-// expect: remove_one_of_the_two_terms
+// expect: Water, imbibe::remove_one_of_the_two_terms>
 #include "scene.hpp"
 
 #include <imbibe/fluid/summation_density.hpp>

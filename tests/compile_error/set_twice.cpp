@@ -3,8 +3,7 @@
 // expect: SetTwice<imbibe::Pressure, imbibe::
 // expect: imbibe::LinearState
 // expect: imbibe::Tait<
-// expect: Water
-// expect: remove_one_of_the_two_terms
+// expect: Water, imbibe::remove_one_of_the_two_terms>
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::LinearState, sph::SymmetricPressure<K>> {};

@@ -1,8 +1,7 @@
 // A force that is listed twice would be twice as great.
 // expect: the same term is listed twice
 // expect: TermTwice<imbibe::KernelRepulsion<
-// expect: Water
-// expect: list_it_once
+// expect: Water, imbibe::list_it_once>
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::KernelRepulsion<>, sph::KernelRepulsion<>> {};

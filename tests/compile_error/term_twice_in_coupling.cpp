@@ -1,8 +1,7 @@
 // A term for both sides of a coupling, and once more for one of them.
 // expect: the same term is listed twice
 // expect: TermTwice<imbibe::KernelRepulsion<
-// expect: Contact
-// expect: list_it_once
+// expect: Contact, imbibe::list_it_once>
 #include "scene.hpp"
 
 struct Water : sph::Fluid<sph::Tait<>, sph::Continuity<K>, sph::SymmetricPressure<K>> {};

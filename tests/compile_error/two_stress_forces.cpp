@@ -2,8 +2,7 @@
 // expect: two terms are forms of the same equation, which would count twice
 // expect: SameEffectTwice<imbibe::effects::pressure_force, imbibe::StressForce<
 // expect: imbibe::TotalLagrangianForce<
-// expect: Block
-// expect: remove_one_of_the_two_terms
+// expect: Block, imbibe::remove_one_of_the_two_terms>
 #include "scene.hpp"
 
 #include <imbibe/solid/stress_force.hpp>

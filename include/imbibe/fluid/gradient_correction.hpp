@@ -26,6 +26,9 @@ struct CurrentCorrectionParameters {
 /// The sum over neighbours of CurrentCorrection: M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab, without unit. A part of
 /// it, and a term of its own for couplings: `Into<Water, CorrectionNeighbours<>>` makes the particles of a wall or a
 /// solid count as neighbours. Without that gradients are corrected as if the wall were a free surface.
+/// Not in a phase, whose CurrentCorrection has it already.
+///
+/// Source: Bonet and Lok (1999), whose correction is the inverse of it; see CurrentCorrection.
 template <class Kernel = WendlandC2>
 struct CorrectionNeighbours {
     using corrected_kernel = Kernel;

@@ -22,7 +22,8 @@ inline constexpr LatticeKernelSum lattice_kernel_sum{};
 /// sum_b V_0b W_ab, without unit: how full the surroundings of a particle are. A part of SummationDensity and
 /// SummationFloor, and a term of its own for couplings: `Into<Water, SummationNeighbours<>>` makes the particles of a
 /// wall or a solid count, and so do those of another fluid. Give those the spacing of the fluid, and layers over the
-/// whole support: between two fluids of which one has half the other's spacing densities are 1.2 % off.
+/// whole support: between two fluids of which one has half the other's spacing densities are 1.2 % off. Not beside a
+/// continuity equation alone, which does not read it.
 ///
 /// Source: Monaghan (1992), the summation of densities, over volumes instead of masses.
 template <class Kernel = WendlandC2>
@@ -37,7 +38,7 @@ struct SummationNeighbours {
 
 /// sum over a square or cubic lattice of spacing^dim W, without unit; once, when the particles are added. What the
 /// kernel sum is compared with: not the particle's own sum at the start, which is too small for one that was at a
-/// surface then.
+/// surface then. Not for a phase that starts on another lattice, which is as much denser or thinner by its first sum.
 ///
 /// Source: our own; the lattice is that of `fill`.
 template <class Kernel = WendlandC2>

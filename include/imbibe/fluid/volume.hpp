@@ -16,6 +16,10 @@ inline constexpr VolumeField volume{};
 /// term of its own.
 ///
 /// A total-Lagrangian solid has its stress-free density, so this is its stress-free volume.
+///
+/// Not to be listed where another term of the same phase has it among its parts: it is there then.
+///
+/// Source: Monaghan (1992), m/rho as the volume element of the sums.
 struct Volume {
     using reads = Fields<mass, density>;
     using sets = Fields<volume>;

@@ -87,12 +87,13 @@ struct ViscosityKernel {
 /// Its Laplacian is 6 (1 - q): with the normalisation 40/pi (1 - q)/H^4, nowhere negative. The kernel of three
 /// dimensions does not have this property in the plane, where its Laplacian would be w'' + w'/q.
 ///
-/// Good for, not for: as ViscosityKernel, in the plane. The singularity is logarithmic; for q < 1e-6 the value and
-/// the derivative are those at 1e-6. The value takes a logarithm lane by lane, which is slow; the Laplacian does not.
+/// Good for viscous forces in the plane, as ViscosityKernel is in space. Not for densities or pressure forces. The
+/// singularity is logarithmic; for q < 1e-6 the value and the derivative are those at 1e-6. The value takes a logarithm
+/// lane by lane, which is slow; the Laplacian does not.
 ///
-/// Derivation: the condition of Mueller, Charypar and Gross (2003) for Eq. 22, in the plane: w'' + w'/q = 6 (1 - q)
-/// with w(1) = w'(1) = 0. Once integrated, q w' = 3 q^2 - 2 q^3 - 1 = -(1 - q)^2 (1 + 2 q); once more gives w; the
-/// integral of 2 pi q w(q) from 0 to 1 is 3 pi/20.
+/// Source: our own, from the condition of Mueller, Charypar and Gross (2003) for Eq. 22, in the plane: w'' + w'/q =
+/// 6 (1 - q) with w(1) = w'(1) = 0. Once integrated, q w' = 3 q^2 - 2 q^3 - 1 = -(1 - q)^2 (1 + 2 q); once more gives
+/// w; the integral of 2 pi q w(q) from 0 to 1 is 3 pi/20.
 struct ViscosityKernel2D {
     static constexpr const char* name = "viscosity kernel (2D)";
 

@@ -11,7 +11,8 @@ struct CauchyStressField : Field<Rank::symmetric_tensor> {
 };
 inline constexpr CauchyStressField cauchy_stress{};
 
-/// sigma = P F^T / J, J = det F, in Pa. No other term reads it: list it when it is to be looked at.
+/// sigma = P F^T / J, J = det F, in Pa. No other term reads it: list it when it is to be looked at. Not for a solid
+/// with a stress rate, whose stress it is already.
 ///
 /// Source: any textbook of continuum mechanics, for instance Holzapfel (2000).
 struct CauchyStress {

@@ -13,8 +13,7 @@ namespace imbibe {
 /// `acceleration` as the last evaluation left it: a held particle has one, and does not follow it.
 ///
 /// A program may move them, as the grips of a testing machine or a foot that is shaken: in every step it writes their
-/// positions and their velocities, as it does with a wall. To hold a particle in one direction only is not provided
-/// for.
+/// positions and their velocities, as it does with a wall. Not for holding a particle in one direction only.
 ///
 /// Source: the boundary condition of prescribed displacements, zero.
 struct Clamped {

@@ -19,7 +19,7 @@ inline constexpr DisplacementField displacement{};
 /// in float and 1e-16 |x| in double, and a step that moves a particle by less than half of that does not move it. The
 /// least strain that means anything is that digit over the spacing: 6e-5 in float at 1000 spacings from the origin,
 /// which Settings::origin brings nearer. A bar of steel that hangs and is strained by 1e-7 does not stretch in float at
-/// all; take double there.
+/// all; take double there. Not for fluids, which have no stress-free places.
 ///
 /// Source: the definition of the displacement.
 struct Displacement {

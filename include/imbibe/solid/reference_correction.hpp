@@ -86,8 +86,8 @@ struct ReferenceCorrectionParameters {
 /// has neighbours in all directions.
 ///
 /// Where it has not (a sheet, a thread, a single particle) M cannot be inverted, and L goes over to the identity: the
-/// solid is then stress-free when undeformed, but too soft, and not free of stress under a rotation. Such parts should
-/// be at least two particles thick.
+/// solid is then stress-free when undeformed, but too soft, and not free of stress under a rotation. Not for such parts
+/// therefore: they should be at least two particles thick.
 ///
 /// Source: Bonet and Lok (1999); Vignjevic, Reveles and Campbell (2006).
 template <class Kernel = WendlandC2>

@@ -16,7 +16,7 @@ struct MeanVelocity : Field<Rank::vector> {
 };
 inline constexpr MeanVelocity mean_velocity{};
 
-/// Lets a phase be the fast one of `Subcycled`.
+/// Lets a phase be the fast one of `Subcycled`. Not with another integrator, which leaves the mean at zero.
 ///
 /// Source: Zhang, Rezavand and Hu (2021), the time-averaged velocity of the structure.
 struct TimeAveragedMotion {
