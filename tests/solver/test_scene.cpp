@@ -4,6 +4,9 @@
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/solid/finite_strain_limit.hpp>
+#include <imbibe/solid/total_lagrangian.hpp>
+#include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
@@ -523,6 +526,26 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
         scene.add(jelly, {{0, 0, 0}}, 0.1);
         REQUIRE(scene.warnings().size() == 1);
         CHECK(scene.warnings()[0] == sentence);
+    }
+    SECTION("a solid that is less compressible than its law bears") {
+        struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>,
+                                   sph::FiniteStrainLimit<sph::NeoHookean>, sph::TotalLagrangianForce<K>> {};
+        struct Averaged : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>,
+                                     sph::VolumetricDeviatoric<>, sph::TotalLagrangianForce<K>> {};
+        const auto warnings = [&]<class P>(std::type_identity<P>, double nu) {
+            sph::Solver<3, double, sph::SymplecticEuler, P> scene({.support_radius = 0.25});
+            scene.add(P{{.density = 950,
+                         .sound_speed = sph::sound_speed_of(1e6, nu, 950),
+                         .shear_modulus = sph::shear_modulus_of(1e6, nu)}},
+                      {{0, 0, 0}}, 0.1);
+            return scene.warnings();
+        };
+        CHECK(warnings(std::type_identity<Rubber>{}, 0.49).empty());
+        CHECK(warnings(std::type_identity<Averaged>{}, 0.499).empty());
+        const auto said = warnings(std::type_identity<Rubber>{}, 0.499);
+        REQUIRE(said.size() == 1);
+        CHECK_THAT(said[0], imbibe_test::contains("Rubber: Poisson's ratio 0.499 with "));
+        CHECK_THAT(said[0], imbibe_test::contains("above 0.495; take VolumetricDeviatoric"));
     }
 }
 

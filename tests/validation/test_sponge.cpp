@@ -207,6 +207,10 @@ TEMPLATE_TEST_CASE("Water and sponge push on each other with equal forces", "[sp
 
 TEST_CASE("The dry sponge hangs as plate theory says", "[sponge]") {
     SpongeCase c = strip(1e-3);
+    SpongeCase incompressible = c;
+    incompressible.poisson_ratio = 0.499;
+    REQUIRE_THROWS_WITH(SoundSponge::sponge(incompressible),
+                        imbibe_test::contains("Poisson's ratio = 0.499; it must be above -1 and at most 0.495"));
     {
         sph::Solver<3, float, sph::SymplecticEuler, SoundSponge::Sponge> scene(c.settings(2e-3));
         const double sag = dry_sag(SoundSponge::sponge(c), c, scene);

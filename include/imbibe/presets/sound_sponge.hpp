@@ -26,7 +26,12 @@ struct SoundSponge : SoundWater {
     using Scene = Solver<3, Real, SymplecticEuler, Water, Sponge, Vessel, Contact, Sides>;
 
     /// The sponge with the numbers of the case.
+    /// @throws Error for a Poisson's ratio above that of its law, NeoHookean
     static Sponge sponge(const SpongeCase& c) {
+        require(c.poisson_ratio <= NeoHookean::greatest_poisson_ratio, "Poisson's ratio = ", c.poisson_ratio,
+                "; it must be above -1 and at most ", NeoHookean::greatest_poisson_ratio, ", above which the mean ",
+                "stress of NeoHookean alternates from particle to particle; a scene of your own with ",
+                "VolumetricDeviatoric in its place goes to 0.499");
         const double young = bending_modulus(c.young_modulus, static_cast<int>(std::lround(c.solid_layers())));
         return {{.density = 950,
                  .sound_speed = sound_speed_of(young, c.poisson_ratio, 950),

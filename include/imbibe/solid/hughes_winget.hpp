@@ -41,6 +41,7 @@ template <class When = AfterTheMove>
 struct HughesWingetStress {
     using effect = effects::stress_rate;
     static constexpr bool of_solids = true;
+    static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<velocity_gradient, deviatoric_stress>;
     using adds = Fields<deviatoric_stress_rate>;
     static constexpr bool in_packs = true;

@@ -21,6 +21,7 @@ namespace imbibe {
 struct JaumannStress {
     using effect = effects::stress_rate;
     static constexpr bool of_solids = true;
+    static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<velocity_gradient, deviatoric_stress>;
     using adds = Fields<deviatoric_stress_rate>;
     static constexpr bool in_packs = true;

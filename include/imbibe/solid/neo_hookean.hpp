@@ -18,6 +18,7 @@ namespace imbibe {
 /// Source: Ciarlet (1988); Simo and Hughes (1998).
 struct NeoHookean {
     static constexpr bool of_solids = true;
+    static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
     static constexpr bool in_packs = true;

@@ -17,6 +17,7 @@ namespace imbibe {
 /// Source: any textbook of continuum mechanics, for instance Holzapfel (2000).
 struct StVenantKirchhoff {
     static constexpr bool of_solids = true;
+    static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
     static constexpr bool in_packs = true;

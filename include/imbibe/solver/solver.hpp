@@ -511,7 +511,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
         s.material.spacing = spacing;
         s.material.support_radius = support;
     }
-    detail::note_doubts_of_material<dim>(warnings_, s.material, name);
+    detail::note_doubts_of_material<dim>(warnings_, s.material, name, typename P::terms{});
     const int before = s.size();
     s.resize(before + static_cast<int>(points.size()));
     const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;

@@ -1,5 +1,5 @@
 // What is doubtful about a scene, said before it runs: a support that is too narrow, phases that overlap or do not see
-// each other, a fluid that its own weight compresses.
+// each other, a fluid that its own weight compresses, a solid that is nearly incompressible.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -178,10 +178,22 @@ std::string warning_of_other_support(const Engine& engine) {
     return {};
 }
 
+/// A sentence if a phase is less compressible than a law of its stress bears, or an empty one.
+template <class Term, class P>
+std::string warning_of_poisson_ratio(const P& material, const std::string& name) {
+    if constexpr (requires { Term::greatest_poisson_ratio; })
+        if (const double nu = material.poisson_ratio(); nu > Term::greatest_poisson_ratio && nu <= 0.4999) // a liquid
+            return text(name, ": Poisson's ratio ", nu, " with ", type_name<Term>(), ", whose mean stress alternates ",
+                        "from particle to particle above ", Term::greatest_poisson_ratio,
+                        "; take VolumetricDeviatoric with a total-Lagrangian solid, or a smaller ratio");
+    return {};
+}
+
 /// Notes what is doubtful about the material of a phase, as soon as that has its particles.
-template <int dim, class P>
-void note_doubts_of_material(Warnings& warnings, const P& material, const std::string& name) {
+template <int dim, class P, class... Term>
+void note_doubts_of_material(Warnings& warnings, const P& material, const std::string& name, TypeList<Term...>) {
     warnings.note(warning_of_support<dim>(material.support_radius / material.spacing, name));
+    (warnings.note(warning_of_poisson_ratio<Term>(material, name)), ...);
     if constexpr (requires { material.warning(name); })
         warnings.note(material.warning(name));
 }
