@@ -150,10 +150,9 @@ struct ParticleShifting {
     static constexpr const char* advection_limit_name = "particle shifting";
     /// 0.1 H^2/(spacing strength v), s, with the greatest speed v, at least `least_speed`: for the long steps of
     /// DualStepping, if it is evaluated in those. Shifting is a diffusion of positions in explicit steps; in longer
-    /// ones it throws them about, by up to `most` of their way. Of this 0.4, the usual CFL number, is about what holds:
-    /// 0.6 to 1.3 of the longest step on square and cubic lattices with WendlandC2 and CubicSpline and supports of 2 to
-    /// 4 spacings (by `longest_stable_step`, without the detection of surfaces, once, not kept). Steps that sound
-    /// limits are shorter than that as long as v is below a fifth of its speed.
+    /// ones it throws them about, by up to `most` of their way. Of this 0.4, the usual CFL number, is about what holds
+    /// (docs/stability.md, "particle shifting"). Steps that sound limits are shorter than that as long as v is below a
+    /// fifth of its speed.
     static double advection_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double speed = parameters.strength * std::max(in.max_speed, parameters.least_speed);
         return speed > 0 ? 0.1 * material.support_radius * material.support_radius / (in.spacing * speed)

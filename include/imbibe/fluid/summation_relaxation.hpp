@@ -32,8 +32,7 @@ struct SummationRelaxationParameters {
 /// SummationNeighbours<>>` in every coupling), of the fluid's spacing and as many layers as the support reaches.
 ///
 /// Not with a free surface, where half of the neighbours are missing and the pressure becomes that of a strong tension.
-/// Not with a time as short as that in which the flow swings: a flag (FSI3) whose period was ten times `time` swung 20
-/// % too fast (tried once, not kept). Beside SummationDensity it does not compile (SetTwice).
+/// Not with a time as short as that in which the flow swings. Beside SummationDensity it does not compile (SetTwice).
 ///
 /// Source: own. What re-initialising the density every some steps does (Colagrossi and Landrini 2003), little by
 /// little, so that no step has a jump and an integrator need not know.

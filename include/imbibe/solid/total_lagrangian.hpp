@@ -13,9 +13,7 @@
 // Particles see those only that were within the support radius when they were free of stress. So bodies of one phase that
 // lie nearer to each other at the start are one body, and others pass through each other, and a body through itself,
 // unless the phase lists KernelRepulsion<> with a range of 0.9 (spacings; never 0, the whole support, within a solid), or
-// each body is a phase of its own and a coupling of the two has it. Two bars of 20 x 5 particles that met with 5 % of
-// their sound speed each, K_f = E, parted with 0.94 of their momentum in one phase, 0.95 in two with a range of 1 and
-// 0.98 with the whole support, the energy kept to 1 % (once, not kept); within one phase steps were a fifth as long.
+// each body is a phase of its own and a coupling of the two has it; within one phase steps are shorter.
 //
 // Give the solid a support of its own, 1.5 to 2 spacings. The neighbours never change, so these few are enough, and
 // what bends is less soft: particles at a surface see strains that are averaged inwards. The period of a clamped plate

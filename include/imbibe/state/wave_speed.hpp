@@ -52,10 +52,8 @@ double acoustic_time_step(const auto& material, const TimeStepInput& in) {
 /// It is shorter than the limits of the two alone only where one of them is light: a gas beside a liquid with the same
 /// speed of sound, or a soft solid of less than a third of the water's density. 0.18 is from the highest frequencies of
 /// two layers, and of one particle and of three by three (by three) within the other fluid, on lattices with supports
-/// of 1.5 to 3 spacings, with WendlandC2 and the cubic spline, the heavier fluid 10 to 1000 times as stiff: steps of
-/// 1.2 to 2.6 times this hold, of 1.2 to 1.5 between layers with 2 spacings or more. At solids 1.1 to 1.4 times this
-/// hold (soft ones on water, of a twentieth to a third of its density). These were worked out once, not kept; what is
-/// tested are the rows "pressure between phases" of docs/stability.md.
+/// of 1.5 to 3 spacings, with WendlandC2 and the cubic spline, the heavier fluid 10 to 1000 times as stiff. How much of
+/// it holds stands in the rows "pressure between phases" of docs/stability.md.
 double interface_time_step(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                            double at_solid = 2) {
     using A = std::remove_cvref_t<decltype(material_a)>;
@@ -75,10 +73,8 @@ double interface_time_step(const auto& material_a, const auto& material_b, const
 /// max(least spacing, 0.6 H)/(0.4 c rho_heavy/rho_light + v), s, with the greatest speed of sound c of the fluids (of
 /// both, where none is one) and v of the particles: the limit on steps of two phases that push each other by
 /// SymmetricPressure and count each other's masses by Continuity. These forms weigh a neighbour with its mass where
-/// VolumePressure takes its volume, so the light side is as stiff as the ratio of the densities, not its root. The
-/// longest step that holds is 1.05 to 1.54 times this: water on fluids and solids of its density to a hundredth of it,
-/// in two and three dimensions, supports of 2 and 3 spacings, WendlandC2 and Spiky (by longest_stable_step, once, not
-/// kept).
+/// VolumePressure takes its volume, so the light side is as stiff as the ratio of the densities, not its root. How much
+/// of it holds is asserted in tests/monitor/test_longest_stable_step.cpp.
 double mass_weighted_interface_time_step(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
     using A = std::remove_cvref_t<decltype(material_a)>;
     using B = std::remove_cvref_t<decltype(material_b)>;
