@@ -8,7 +8,7 @@
 //
 //   build/soft_plate                    then open out-soft-plate/water.pvd and plate.pvd in ParaView
 //   build/soft_plate 10                 with a plate of 10 instead of 5 particles across
-//   python3 tools/render_plane.py out-soft-plate --walls sides --times 20 100 -o soft_plate.png
+//   python3 tools/render_plane.py out-soft-plate --walls sides --displaced plate --times 20 100 -o soft_plate.png
 #include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 

@@ -6,7 +6,8 @@ times, one panel each.
     python3 tools/render_plane.py out-elastic-gate --times 40 120 400 --fluid water --speed 2 -o gate.png
     python3 tools/render_plane.py out-dam-break --slice 140 160 -o dam_break.png
 
-Particles are drawn as discs of their own area: the fluid coloured by its speed, walls grey, other phases in one colour.
+Particles are drawn as discs of their own area: the fluid coloured by its speed, walls grey, other phases in one colour,
+or by how far they have been displaced (--displaced).
 """
 
 import argparse
@@ -31,6 +32,7 @@ def read_arguments():
     parser.add_argument("--fluid", default="water", help="the phase that is coloured by its speed (default: water)")
     parser.add_argument("--walls", nargs="*", default=["tank", "plates", "vessel", "wall"], help="phases drawn in grey")
     parser.add_argument("--speed", type=float, metavar="M/S", help="the speed at the dark end of the scale")
+    parser.add_argument("--displaced", metavar="PHASE", help="a total-Lagrangian solid to be coloured by its displacement")
     parser.add_argument("--columns", type=whole_number, default=2, help="panels beside each other (default: 2)")
     parser.add_argument("--slice", nargs=2, type=float, metavar="MM",
                         help="in three dimensions: only what lies between these two y, in mm, seen along y")
@@ -57,8 +59,9 @@ def main():
     arguments = read_arguments()
     lists = {os.path.splitext(os.path.basename(path))[0]: particle_files.read_series(path)
              for path in glob.glob(os.path.join(arguments.folder, "*.pvd"))}
-    if arguments.fluid not in lists:
-        end_with(f"there is no {arguments.fluid}.pvd in {arguments.folder}")
+    for phase in filter(None, (arguments.fluid, arguments.displaced)):
+        if phase not in lists:
+            end_with(f"there is no {phase}.pvd in {arguments.folder}")
     if not lists[arguments.fluid]:
         end_with(f"{arguments.fluid}.pvd in {arguments.folder} has no snapshot")
     times = np.array([time for time, _ in lists[arguments.fluid]])
@@ -71,26 +74,33 @@ def main():
         end_with(f"the snapshots of {arguments.fluid} have no velocity")
     speeds = [np.linalg.norm(moment[arguments.fluid].arrays["velocity"], axis=1) for moment in moments]
     fastest = arguments.speed or max((np.percentile(speed, 99.5) for speed in speeds if len(speed)), default=0) or 1.0
+    if arguments.displaced and any("displacement" not in moment[arguments.displaced].arrays for moment in moments):
+        end_with(f"the snapshots of {arguments.displaced} have no displacement")
+    ways = [1e3 * np.linalg.norm(moment[arguments.displaced].arrays["displacement"], axis=1) if arguments.displaced else []
+            for moment in moments]
+    furthest = Normalize(0, max((way.max() for way in ways if len(way)), default=0) or 1.0)
     everything = np.vstack([snapshot.points[:, :2] for moment in moments for snapshot in moment.values()]) * 1e3
     if len(everything) == 0:
         end_with("there is no particle" + (f" from y = {arguments.slice[0]:g} to {arguments.slice[1]:g} mm"
                                            if arguments.slice else " in these snapshots"))
     low, high = everything.min(axis=0), everything.max(axis=0)
     low, high = np.where(low < high, low, low - 1), np.where(low < high, high, high + 1)
+    low, high = low - 0.02 * (high - low), high + 0.02 * (high - low)
 
     columns = min(arguments.columns, len(steps))
     rows = -(-len(steps) // columns)
     width = 4.6
     height = width * (high[1] - low[1]) / (high[0] - low[0]) + 0.5
     figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", sharex=True, sharey=True,
-                                  figsize=(width * columns, height * rows))
+                                  figsize=(width * columns, height * rows + (0.7 if arguments.displaced else 0)))
     scale = Normalize(0, fastest)
-    for panel, step, moment, speed in zip(panels.flat, steps, moments, speeds):
+    for panel, step, moment, speed, way in zip(panels.flat, steps, moments, speeds, ways):
         for name, snapshot in moment.items():
             if len(snapshot.points) == 0:
                 continue
             size = 2e3 * particle_files.spacing_of(snapshot) / np.sqrt(np.pi)
             colours = (WATER(scale(speed)) if name == arguments.fluid
+                       else SPONGE(furthest(way)) if name == arguments.displaced
                        else WALL if name in arguments.walls else SPONGE(0.7))
             panel.add_collection(EllipseCollection(size, size, 0, units="xy", offsets=snapshot.points[:, :2] * 1e3,
                                                    transOffset=panel.transData, facecolors=colours, linewidths=0))
@@ -103,9 +113,13 @@ def main():
         panel.set_xlabel("x [mm]", fontsize=9)
     for panel in panels[:, 0]:
         panel.set_ylabel("z [mm]" if arguments.slice else "y [mm]", fontsize=9)
-    bar = figure.colorbar(ScalarMappable(scale, WATER), ax=panels, orientation="horizontal", shrink=0.4, aspect=40)
-    bar.set_label(f"speed of the {arguments.fluid} [m/s]", fontsize=9)
-    bar.outline.set_edgecolor(GREY)
+    bars = [(ScalarMappable(scale, WATER), f"speed of the {arguments.fluid} [m/s]")]
+    if arguments.displaced:
+        bars.append((ScalarMappable(furthest, SPONGE), f"displacement of the {arguments.displaced} [mm]"))
+    for colours, label in bars:
+        bar = figure.colorbar(colours, ax=panels, orientation="horizontal", shrink=0.4, aspect=40)
+        bar.set_label(label, fontsize=9)
+        bar.outline.set_edgecolor(GREY)
     if arguments.title:
         figure.suptitle(arguments.title, x=0.02, ha="left")
     save(figure, arguments.output, arguments.dpi)
