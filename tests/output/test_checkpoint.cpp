@@ -318,6 +318,27 @@ TEST_CASE("A checkpoint behind a link is written where it is, and the one before
     CHECK(output_test::content(folder / "run.previous") == first);
 }
 
+TEST_CASE("Shortened steps stay short after a restart", "[checkpoint]") {
+    const auto path = output_test::fresh("shortened") / "run";
+    auto whole = make<float>();
+    run(whole, 20);
+    whole.shorten_steps(0.5);
+    sph::write_checkpoint(whole, path);
+    run(whole, 20);
+
+    auto second = make<float>();
+    sph::read_checkpoint(second, path);
+    CHECK(second.shortened() == 0.5);
+    CHECK(second.settings().cfl == 0.5 * make<float>().settings().cfl);
+    run(second, 20);
+    CHECK((bits(second) == bits(whole)));
+
+    second.shorten_steps(0.25);
+    sph::read_checkpoint(second, path); // as long as they were then, not 0.5 of what they are
+    CHECK(second.shortened() == 0.5);
+    CHECK(second.settings().cfl == 0.5 * make<float>().settings().cfl);
+}
+
 TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpoint]") {
     const auto path = output_test::fresh("recover") / "run";
     auto scene = make<float>();

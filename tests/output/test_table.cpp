@@ -132,6 +132,14 @@ TEST_CASE("a table over time tells one story, wherever time goes back to", "[out
     REQUIRE_THROWS_WITH(unreadable.row({std::nan(""), 1, 2}), contains("finite number"));
     REQUIRE_THROWS_WITH(unreadable.row({"now", 1.0, 2.0}), contains("finite number"));
     CHECK(content(path) == now + "words,1,2\n");
+    std::ofstream(path) << now << "3,1\n";
+    Table short_row(path, columns);
+    REQUIRE_THROWS_WITH(short_row.row({4, 1, 2}), contains("its row '3,1' has 2 cells for 3 columns"));
+    REQUIRE_THROWS_WITH(Table::resume(path, columns, 5), contains("its row '3,1' has 2 cells for 3 columns"));
+    std::ofstream(path) << now << "3,\"a, b\",2\n";
+    Table with_words(path, columns);
+    REQUIRE_NOTHROW(with_words.row({4, 1, 2}));
+    CHECK(content(path) == now + "3,\"a, b\",2\n4,1,2\n");
     Table anew(path, columns);
     anew.row({0, 4, 4});
     CHECK(content(path) == head + "0,4,4\n");

@@ -7,6 +7,7 @@
 #include <imbibe/output/file.hpp>
 #include <imbibe/solver/solver.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cstring>
@@ -22,7 +23,7 @@ using CheckpointNotes = std::map<std::string, double>;
 
 namespace detail {
 
-inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 3\n";
+inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 4\n";
 inline constexpr std::string_view end_of_checkpoint_head = "----\n";
 
 /// A 64-bit checksum (FNV-1a, Fowler, Noll and Vo).
@@ -120,6 +121,19 @@ std::string checkpoint_head(const Scene& scene) {
     return out.str();
 }
 
+/// What a line says from the item on in which it differs from another: "terms of Water: ... WendlandC4, 0> ...".
+/// @param same how many characters the two have in common at the beginning
+inline std::string from_difference(const std::string& line, std::size_t same) {
+    constexpr std::size_t most = 100;
+    if (line.size() <= most)
+        return line;
+    const auto label = std::min(line.find(": "), same), item = line.rfind(' ', same == 0 ? 0 : same - 1);
+    const bool skips = label < same && item != std::string::npos && item > label + 2;
+    const auto begin = skips ? item : std::size_t{0};
+    return (skips ? line.substr(0, label) + ": ..." : "") + line.substr(begin, most) +
+           (line.size() > begin + most ? " ..." : "");
+}
+
 /// The first line in which two texts differ, of each.
 inline std::pair<std::string, std::string> first_difference(const std::string& a, const std::string& b) {
     std::istringstream lines_a(a), lines_b(b);
@@ -129,7 +143,12 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
         const bool more_b = static_cast<bool>(std::getline(lines_b, line_b));
         if (!more_a && !more_b)
             return {};
-        if (!more_a || !more_b || line_a != line_b)
+        if (more_a && more_b && line_a != line_b) {
+            const auto parted = std::mismatch(line_a.begin(), line_a.end(), line_b.begin(), line_b.end()).first;
+            const auto same = static_cast<std::size_t>(parted - line_a.begin());
+            return {from_difference(line_a, same), from_difference(line_b, same)};
+        }
+        if (!more_a || !more_b)
             return {more_a ? line_a : "nothing", more_b ? line_b : "nothing"};
     }
 }

@@ -28,8 +28,7 @@ std::string keep_offending_state(const Scene& scene, const std::filesystem::path
 /// and the scene goes back to the last checkpoint and goes on with steps half as long, at most `retries` times;
 /// `returned(error)` is told so each time, once the scene is back, and where the particles are that went wrong.
 /// Observers see time go back then: `every` calls at once where it goes back to, and snapshots and tables over time
-/// replace what came after. The shorter steps are of this scene: one that reads the checkpoint later begins with those
-/// of its own settings.
+/// replace what came after. A scene that reads a checkpoint of the rest of the run goes on with the shorter steps, too.
 /// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up, or there is nothing
 /// good to begin with; at once what an observer throws that is not Diverged, or a disk that takes no more checkpoints:
 /// shorter steps would not help
@@ -60,12 +59,13 @@ void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::fil
     const auto go_back = [&](const auto& error) {
         if (retries-- <= 0)
             throw error;
+        const double shortened = 0.5 * scene.shortened();
         try {
             read_checkpoint(scene, checkpoint);
         } catch (const Error& unreadable) {
             throw Error(text(error.what(), "; and the scene cannot go back, because of the ", unreadable.what()));
         }
-        scene.shorten_steps(0.5);
+        scene.shorten_steps(shortened / scene.shortened());
         guard.start_anew();
         returned(error);
     };

@@ -72,7 +72,7 @@ public:
     }
 
     /// Continues the file of an earlier run, whatever the time of the next row: keeps its first `rows` rows and drops
-    /// what follows. Throws Error if it has other columns or fewer rows.
+    /// what follows. Throws Error if it has other columns or fewer rows, or a row of them another number of cells.
     static Table resume(std::filesystem::path path, std::vector<Column> columns, std::size_t rows) {
         const auto expected = first_line(columns);
         std::string kept, line;
@@ -82,8 +82,10 @@ public:
         require(static_cast<bool>(std::getline(in, line)) && line == expected, "cannot continue the table ",
                 path.string(), ": its first line is '", line, "' where this run writes '", expected, "'");
         std::size_t found = 0;
-        for (kept = line + "\n"; found < rows && std::getline(in, line) && !in.eof(); ++found)
+        for (kept = line + "\n"; found < rows && std::getline(in, line) && !in.eof(); ++found) {
+            require_whole(line, columns.size(), path);
             kept += line + "\n";
+        }
         require(found == rows, "cannot continue the table ", path.string(), " after ", rows, " rows: it has ", found);
         in.close();
         AtomicFile whole(path);
@@ -94,7 +96,7 @@ public:
 
     /// Appends one row. Throws Error unless it has one number for each column, and when the disk refuses it; the rows
     /// before it stay. In a table over time Error, too, for a time that is not a finite number, and where the file that
-    /// is to be continued has other columns, or a row that does not begin with a time.
+    /// is to be continued has other columns, or a row that does not begin with a time or has another number of cells.
     void row(std::span<const double> values) {
         std::string line;
         for (const double value : values)
@@ -158,6 +160,16 @@ private:
     static std::string quoted(const std::string& words) {
         return words.find(',') == std::string::npos ? words : '"' + words + '"';
     }
+    static void require_whole(const std::string& row, std::size_t columns, const std::filesystem::path& path) {
+        bool in_words = false;
+        std::size_t cells = 1;
+        for (const char c : row) {
+            in_words ^= c == '"';
+            cells += c == ',' && !in_words ? 1 : 0;
+        }
+        require(cells == columns, "cannot continue the table ", path.string(), ": its row '", row, "' has ", cells,
+                " cells for ", columns, " columns; give this table another name, or move that one away");
+    }
     static std::string number(double value) {
         std::array<char, 32> digits{};
         return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
@@ -201,6 +213,7 @@ private:
             const auto time = detail::number_in_text(line);
             require(time.has_value(), "cannot continue the table ", path_.string(), ": its row '", line,
                     "' does not begin with a time", remedy);
+            require_whole(line, columns_.size(), path_);
             if (!detail::earlier(time->value, seconds))
                 break;
             kept += line + "\n";

@@ -10,10 +10,10 @@
 // ReferenceCorrection, DeformationGradient and TotalLagrangianForce must have the same kernel: momentum and energy
 // hang on it. The density stays that of the stress-free solid.
 //
-// Particles see those only that were within the support radius when they were free of stress. So bodies of one phase that
-// lie nearer to each other at the start are one body, and others pass through each other, and a body through itself,
-// unless the phase lists KernelRepulsion<> with a range of 0.9 (spacings; never 0, the whole support, within a solid), or
-// each body is a phase of its own and a coupling of the two has it; within one phase steps are shorter.
+// Particles see those only that were within the support radius when they were free of stress. So bodies of one phase
+// that lie nearer to each other at the start are one body, and others pass through each other, and a body through
+// itself, unless the phase lists KernelRepulsion<> with a range of 0.9 (spacings; never 0, the whole support, within a
+// solid), or each body is a phase of its own and a coupling of the two has it; within one phase steps are shorter.
 //
 // Give the solid a support of its own, 1.5 to 2 spacings. The neighbours never change, so these few are enough, and
 // what bends is less soft: particles at a surface see strains that are averaged inwards. The period of a clamped plate

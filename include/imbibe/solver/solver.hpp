@@ -240,13 +240,13 @@ public:
         return least;
     }
     /// From now on all steps are `share` (above 0, at most 1) of what they would have been: the CFL number, a fixed
-    /// step and the longest step are multiplied by it.
+    /// step and the longest step are multiplied by it. Checkpoints keep it.
     void shorten_steps(double share) {
         require(share > 0 && share <= 1, "shorten_steps(", share, "); the share must be above 0 and at most 1");
-        settings_.cfl *= share;
-        settings_.time_step *= share;
-        settings_.max_time_step *= share;
+        scale_steps(shortened_ * share);
     }
+    /// The product of all shares by which steps were shortened.
+    double shortened() const { return shortened_; }
     /// One step of the length the limits allow. Returns the length, s.
     double step() {
         prepare();
@@ -309,7 +309,12 @@ public:
         archive(last_step_.seconds);
         archive(last_step_.reason);
         archive(last_step_.where);
+        double shortened = shortened_;
+        archive(shortened);
         if constexpr (Archive::reading) {
+            require(shortened > 0 && shortened <= 1, "steps shortened to ", shortened,
+                    " of their length; it must be above 0 and at most 1");
+            scale_steps(shortened);
             engine_.find_reference_neighbours();
             prepared_ = true;
             engine_.search_neighbours();
@@ -330,10 +335,17 @@ private:
     bool prepared_ = false;
     bool may_have_changed_ = true; // materials and coefficients, since they were checked: somebody had a view to write
     int substeps_ = 1;
+    double shortened_ = 1; // the part of shorten_steps in settings_
     TimeStepLimit last_step_{0, "none yet", "start"};
     detail::Warnings warnings_;
 
     void take(const TimeStepLimit& chosen);
+    void scale_steps(double shortened) {
+        settings_.cfl *= shortened / shortened_;
+        settings_.time_step *= shortened / shortened_;
+        settings_.max_time_step *= shortened / shortened_;
+        shortened_ = shortened;
+    }
     TimeStepLimit shortest(const std::vector<TimeStepLimit>& limits) const {
         return limits.empty() ? TimeStepLimit{settings_.max_time_step, "max_time_step", "settings"} : limits.front();
     }
