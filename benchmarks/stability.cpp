@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
     bool trace = false;
     CLI::App app{"Bisects how long steps can be, and how far scenes can be pushed, before they go wrong."};
     app.add_option("--write", path, "the file whose tables are replaced; without it they are printed");
-    app.add_option("--part", part, "Fluids, Solids, Coupled, Limits, Hard, Physical or Gradients only");
+    app.add_option("--part", part, "Fluids, Solids, Coupled, Limits, Hard, Physical, Gradients or Frames only");
     app.add_option("--composition", composition, "only this one");
     app.add_option("--scene", scene, "only this one");
     app.add_option("--cfl", cfl, "one run with this CFL number instead of bisecting");
@@ -199,6 +199,8 @@ int main(int argc, char** argv) {
         }
         if (composition.empty() && scene.empty() && (part.empty() || part == "Gradients"))
             write_gradients(out);
+        if (composition.empty() && scene.empty() && (part.empty() || part == "Frames"))
+            write_frames(out);
         if (document)
             document->replace(out.str());
         else

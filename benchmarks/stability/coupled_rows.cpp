@@ -1,6 +1,9 @@
 // The coupled scenes of the table.
 #include "coupled.hpp"
+#include "frames.hpp"
 #include "rows.hpp"
+
+#include <cstdio>
 
 namespace stability {
 namespace {
@@ -14,6 +17,8 @@ void add(Table& table, const std::string& name) {
     row("block as heavy as water", block_on_pool<C, Real, dim>, 1);
     row("block of a tenth", block_on_pool<C, Real, dim>, 0.1);
     row("block ten times as heavy", block_on_pool<C, Real, dim>, 10);
+    if constexpr (dim == 2)
+        row("free fall", free_fall<C, Real>, 0);
     table.frontiers.push_back(
         {name, "block on a pool", "density / that of water", 1, 0.002, block_on_pool<C, Real, dim>});
     table.frontiers.push_back(
@@ -24,7 +29,40 @@ void add(Table& table, const std::string& name) {
                                }});
 }
 
+template <class C>
+void add_frames(std::ostream& out) {
+    const auto off = [&](double difference) {
+        char words[32];
+        std::snprintf(words, sizeof words, "%.1g", difference);
+        out << " | " << words;
+    };
+    out << "| " << C::name;
+    const auto home = meet<double, C>({});
+    for (const NamedFrame& it : frames())
+        off(difference(meet<double, C>(it.frame), home));
+    const auto home_in_float = meet<float, C>({});
+    const Eigen::RowVector2d away(far_away, -far_away);
+    off(difference(meet<float, C>({.offset = away, .origin = {far_away, -far_away}}), home_in_float));
+    off(difference(meet<float, C>({.offset = away}), home_in_float));
+    out << " |\n";
+}
+
 } // namespace
+
+void write_frames(std::ostream& out) {
+    out << "\n### An impact seen from other frames\n\n"
+           "Spacings, and m/s of an impact with 1 m/s, by which a particle is off at most; double but for the last two\n"
+           "columns, which are float and ten thousand lengths of the scene away.\n\n| composition |";
+    for (const NamedFrame& it : frames())
+        out << ' ' << it.name << " |";
+    out << " far away, with `Settings::origin` | without |\n|---|";
+    for (std::size_t k = 0; k < frames().size() + 2; ++k)
+        out << "---|";
+    out << '\n';
+    add_frames<SoundCoupling>(out);
+    add_frames<RiemannCoupling>(out);
+    add_frames<PaperCoupling>(out);
+}
 
 void add_coupled(Table& table) {
     add<SoundCoupling>(table, SoundCoupling::name);

@@ -1,4 +1,5 @@
-// The rows of the table that are about single particles: thin walls and sheets, slots, starts, two fluids, projectiles.
+// The rows of the table that are about single particles: thin walls and sheets, slots, starts, two fluids, projectiles, pairs.
+#include "crowd.hpp"
 #include "rows.hpp"
 #include "starts.hpp"
 #include "thin.hpp"
@@ -42,6 +43,8 @@ void add_hard(Table& table) {
     table.rows.push_back({"Hard", Hookean::name, "rough sheet and thread", 0.2, thin_solids<Hookean>});
     table.rows.push_back({"Hard", "AntuonoDiffusion", "rough thread, drops", 0.3, thin_water});
     table.rows.push_back({"Hard", "two fluids", "layers, 1000 to 1", 1000, layers});
+    table.rows.push_back({"Hard", "WendlandC2", "fifty neighbours", 0, crowded<sph::WendlandC2>});
+    table.rows.push_back({"Hard", "CubicSpline", "fifty neighbours", 0, crowded<sph::CubicSpline>});
 
     table.frontiers.push_back(
         {Hookean::name, "sheet and thread", "roughness, spacings", 0.02, 0.45, thin_solids<Hookean>});

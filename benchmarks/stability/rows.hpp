@@ -35,5 +35,7 @@ void add_limits(Table&);
 void add_hard(Table&);
 /// What the sums of three kernels make of the gradient of x, for several supports: a table.
 void write_gradients(std::ostream&);
+/// How far an impact seen from other frames is off, for the coupled compositions: a table.
+void write_frames(std::ostream&);
 
 } // namespace stability

@@ -6,7 +6,8 @@ two threads, the one that they are compared with with one.
 
     python3 tests/output/long/kill_sponge.py build/sponge [--kills 100] [--seed 1]
 
-After each kill every file that carries its final name must be whole; the run goes on from its checkpoint. Before that
+After each kill every file that carries its final name must be whole; the run goes on from its checkpoint or, three times
+out of ten where there are two, from the one before, so that both are read. Before that
 the same is asked of a run that Ctrl-C ends, and of one whose last checkpoint is damaged and that goes on from the one
 before.
 """
@@ -67,8 +68,10 @@ def run_with_kills(sponge, folder, chance, most, longest):
         if had_one and not has_checkpoint:
             fail(f"after {kills} kills the checkpoint that was there is gone")
         fresh_starts += not has_checkpoint
-        process = subprocess.Popen(command(sponge, folder, *(["--restart"] if has_checkpoint else [])),
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=SURROUNDINGS)
+        previous = (folder / "checkpoint.previous").exists() and chance.random() < 0.3
+        restart = ["--restart", *(["--previous"] if previous else [])] if has_checkpoint else []
+        process = subprocess.Popen(command(sponge, folder, *restart), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   env=SURROUNDINGS)
         try:
             words, _ = process.communicate(timeout=chance.uniform(0.05, longest) if kills < most else None)
         except subprocess.TimeoutExpired:
