@@ -31,6 +31,7 @@ struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKi
 
 constexpr int particles = 8000;
 constexpr double support = 2.6;
+constexpr double more = 3.2; // than that
 
 /// W and the factor of its gradient, of every kernel, in whole packs.
 template <class Real, class... Kernel>
@@ -75,16 +76,16 @@ double search() {
 
 /// The loops of a step without the search and the motion.
 template <class Real, class Phase>
-double loops(const Phase& phase) {
-    auto engine = bench::block<Real>(phase, particles, support);
+double loops(const Phase& phase, double reach = support) {
+    auto engine = bench::block<Real>(phase, particles, reach);
     count([&] { bench::run_loops(engine); });
     return engine.template state<Phase>().size();
 }
 
 /// The same for the fluid, written by hand.
 template <class Real, class Phase>
-double fluid_by_hand() {
-    auto engine = bench::block<Real>(bench::water<Phase>(), particles, support);
+double fluid_by_hand(double reach = support) {
+    auto engine = bench::block<Real>(bench::water<Phase>(), particles, reach);
     bench::HandFluid<Real> hand(std::type_identity<Phase>{}, engine);
     if constexpr (std::is_same_v<Phase, Water>)
         count([&] { hand.two_sweeps(0); });
@@ -118,8 +119,11 @@ void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
     cases["search_" + real] = search<Real>;
     cases["fluid_loops_" + real] = [] { return loops<Real>(bench::water<Water>()); };
     cases["fluid_loops_in_one_sweep_" + real] = [] { return loops<Real>(bench::water<bench::WaterInOneSweep>()); };
-    cases["fluid_loops_by_hand_" + real] = fluid_by_hand<Real, Water>;
-    cases["fluid_loops_in_one_sweep_by_hand_" + real] = fluid_by_hand<Real, bench::WaterInOneSweep>;
+    cases["fluid_loops_by_hand_" + real] = [] { return fluid_by_hand<Real, Water>(); };
+    cases["fluid_loops_in_one_sweep_by_hand_" + real] = [] { return fluid_by_hand<Real, bench::WaterInOneSweep>(); };
+    // With more neighbours: the difference is what the loops take for a pair, without the beginning and end of a sum.
+    cases["fluid_loops_of_more_" + real] = [] { return loops<Real>(bench::water<Water>(), more); };
+    cases["fluid_loops_of_more_by_hand_" + real] = [] { return fluid_by_hand<Real, Water>(more); };
     cases["hypoelastic_loops_" + real] = [] { return loops<Real>(bench::rubber<bench::Hypoelastic>()); };
     cases["hypoelastic_loops_by_hand_" + real] = solid_by_hand<Real>;
     cases["fluid_step_" + real] = [] { return step<Real>(bench::water<Water>()); };
