@@ -5,6 +5,7 @@
 //   build-benchmark/benchmarks/validation turek-hron --resolutions 4   coarse only
 //   build-benchmark/benchmarks/validation all --write docs/validation.md
 #include "validation/cavity.hpp"
+#include "validation/consolidation.hpp"
 #include "validation/cylinders.hpp"
 #include "validation/dam_break_on_box.hpp"
 #include "validation/duct.hpp"
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
         {"duct", "particles along a side", {12, 24}, duct::measure},
         {"one-pore", "particles over the radius", {3, 4, 6}, one_pore::measure},
         {"orifice", "particles over the slot", {10, 20}, orifice::measure},
+        {"consolidation", "particles over the layer", {10, 20, 40}, consolidation::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"cavity-1000", "particles along a side", {50, 100}, cavity::measure_faster},
         {"standing-wave", "particles over the depth", {25, 50}, standing_wave::measure},
