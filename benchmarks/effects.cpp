@@ -237,7 +237,7 @@ Cases all_cases() {
                        "solids that are hit, twisted or bent hard");
     add<PlateVolumetric>(cases, "`VolumetricDeviatoric` in place of `StVenantKirchhoff`",
                          "rubber that hardly changes its volume");
-    add<Floor, OnTop<Water, Floor>>(cases, "that fluid on a floor that it does not see",
+    add<Floor, OnTop<Water, Floor>>(cases, "the plain fluid on a floor that it does not see",
                                     "what the rows below are compared with");
     add_contact<FloorExtrapolation>(
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two", "walls");

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
         {"pipe", "particles across the pipe", {12, 24, 48}, pipe::measure},
         {"duct", "particles along a side", {12, 24}, duct::measure},
-        {"one-pore", "particles over the radius", {3, 4, 6}, one_pore::measure},
+        {"one-pore", "particles over the radius", {4, 6, 8}, one_pore::measure},
         {"orifice", "particles over the slot", {10, 20}, orifice::measure},
         {"consolidation", "particles over the layer", {10, 20, 40}, consolidation::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},

@@ -44,7 +44,7 @@ def over_by_hand_a_pair(counts):
     def more(loops, real):
         return counts[f"fluid_loops_of_more_{loops}{real}"] - counts[f"fluid_loops_{loops}{real}"]
     return {real: more("", real) / more("by_hand_", real) for real in ("float", "double")
-            if f"fluid_loops_of_more_{real}" in counts}
+            if all(f"fluid_loops_{case}{real}" in counts for case in ("", "by_hand_", "of_more_", "of_more_by_hand_"))}
 
 
 def main():
@@ -55,8 +55,8 @@ def main():
     parser.add_argument("--by-hand", type=float, default=1.2,
                         help="how many times the instructions of a loop by hand are let pass (default: 1.2)")
     parser.add_argument("--by-hand-water", type=float, default=1.03,
-                        help="the same for water alone in one sweep, the cases fluid_*, of one compiler; its excess counts "
-                             "twice for two sweeps (default: 1.03)")
+                        help="the same for water alone, the cases fluid_*, of one compiler: for a pair and in one sweep; its "
+                             "excess counts twice for two sweeps (default: 1.03)")
     arguments = parser.parse_args()
     (old_compiler, old), (new_compiler, new) = read(arguments.old), read(arguments.new)
 

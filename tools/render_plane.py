@@ -62,8 +62,10 @@ def main():
     for phase in filter(None, (arguments.fluid, arguments.displaced)):
         if phase not in lists:
             end_with(f"there is no {phase}.pvd in {arguments.folder}")
-    if not lists[arguments.fluid]:
-        end_with(f"{arguments.fluid}.pvd in {arguments.folder} has no snapshot")
+        if not lists[phase]:
+            end_with(f"{phase}.pvd in {arguments.folder} has no snapshot")
+    if arguments.displaced == arguments.fluid:
+        end_with(f"{arguments.fluid} is coloured by its speed already (--fluid); name a solid to be coloured by its displacement")
     times = np.array([time for time, _ in lists[arguments.fluid]])
     wanted = np.array(arguments.times) * 1e-3 if arguments.times else np.linspace(times[0], times[-1], arguments.count)
     steps = [int(np.argmin(abs(times - time))) for time in wanted]

@@ -5,6 +5,8 @@
 #include "coupled.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -80,10 +82,10 @@ inline double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 struct NamedFrame {
     std::string name;
     Frame frame;
-    double most; ///< how far off it may be, in units of `round_off`
+    double tolerance; ///< how far off it may be, in units of `round_off`
 };
-/// An error of epsilon in an offset of a spacing is one of c dt/dx epsilon in the velocity of sound a step, and 30 m/s
-/// are 30 of the units that `meet` returns.
+/// Round-off times steps: an error of epsilon in an offset of a spacing is one of c dt/dx epsilon in the velocity of
+/// sound a step, and 30 m/s are 30 of the units that `meet` returns.
 inline constexpr double round_off = std::numeric_limits<double>::epsilon() * steps_in_a_frame * 30;
 
 inline std::vector<NamedFrame> frames() {

@@ -1,4 +1,5 @@
-// The rows of the table that are about single particles: thin walls and sheets, slots, starts, two fluids, projectiles, pairs.
+// The rows of the table that are about single particles: thin walls and sheets, slots, starts, two fluids, projectiles,
+// pairs.
 #include "crowd.hpp"
 #include "rows.hpp"
 #include "starts.hpp"

@@ -50,7 +50,7 @@ double resistance(int resolution, double support = 3, int threads = 1) {
 }
 
 inline std::vector<Measured> measure(int resolution) {
-    return {{"Dp a^3/(mu Q), L = 2 a", "15 % at 4", resistance(resolution),
+    return {{"Dp a^3/(mu Q), L = 2 a", "15 % at 4, 5 % at 8", resistance(resolution),
              3 + 8 * thickness / std::numbers::pi}};
 }
 

@@ -28,7 +28,7 @@ from filter import slug
 STUDIES = {"sponge_study.cpp"}  # programs among the examples that are not for copying
 COMPILED = ("examples/", "tests/", "benchmarks/", "include/")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-NOT_FOR = r"\b(?:Not|[Nn]ot to be used|not for|instead|only (?:where|beside))\b|[Ww]ithout use"
+NOT_FOR = r"\b(?:Not|not to be used|not for)\b"
 CUT = re.compile(r"<!-- (\S+) -->\n\Z")
 WHOLE = re.compile(r"<!-- (\S+[.][ch]pp): begin[^\n]*-->\n\Z")
 WHOLE_BLOCK = re.compile(r"(<!-- (\S+[.][ch]pp): begin[^\n]*-->\n).*?(<!-- \2: end -->)", re.DOTALL)

@@ -36,7 +36,7 @@ CONTRACT = [
     (r"static constexpr const char\* advection_limit_name\b", "What its limit on long steps is called."),
     (r"using effect =", "The equation that it is a form of, of which a phase has one only."),
     (r"static constexpr bool of_solids\b", "It asks for the elastic moduli of a solid."),
-    (r"static constexpr double greatest_poisson_ratio\b", "A scene warns of a phase whose Poisson's ratio is above."),
+    (r"static constexpr double greatest_poisson_ratio\b", "A scene warns of a phase whose Poisson's ratio is above this."),
     (r"static constexpr bool needs_viscosity\b", "It asks for the viscosity of its phase, or of one of the two of a coupling."),
     (r"static constexpr bool one_sided\b", "It is listed in couplings only, as Into the wall or the solid."),
     (r"static constexpr bool within_phases\b", "It is listed in phases only, not in couplings."),

@@ -82,8 +82,11 @@ def chosen(html):
     lists = ("dir_", "functions", "files", "graph_legend", "namespacemembers")  # they have no title
     made = [page for page in made if not page.endswith(("-members.html", "_source.html")) and not page.startswith(lists)]
     of_headers = [page for page in made if page.startswith(("struct", "class", "namespace", "concept"))]
-    named = {f"structimbibe_1_1{name}.html" for row in rows("policies.md", "| | Policies |")
-             for name in re.findall(r"`(\w+)", row[1])}
+    names = {name for row in rows("policies.md", "| | Policies |") for name in re.findall(r"`([A-Z]\w+)", row[1])}
+    named = {page for name in names for page in (f"structimbibe_1_1{name}.html", f"classimbibe_1_1{name}.html")
+             if page in made}
+    if len(named) < len(names):
+        sys.exit(f"look_at_pages.py: of {len(names)} names in docs/policies.md only {len(named)} have a page")
     return [page for page in made if page not in of_headers or page in named] + \
         [page for page in of_headers if page not in named][::10]
 

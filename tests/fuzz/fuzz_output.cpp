@@ -4,8 +4,8 @@
 //
 //   cmake --preset fuzz && cmake --build --preset fuzz && build-fuzz/tests/fuzz_output -max_total_time=60
 //
-// Both ways of continuing are entered: after so many rows and snapshots, of which the first byte says how many, and
-// before the time of what comes next. Half of the inputs get the right first line of a table before them.
+// Both ways of continuing are entered: after a number of rows and snapshots, from the first byte, and by the time of
+// what comes next. Half of the inputs get the right first line of a table before them.
 #include <imbibe/output/table.hpp>
 #include <imbibe/output/vtk_series.hpp>
 

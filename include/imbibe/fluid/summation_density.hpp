@@ -38,7 +38,7 @@ struct SummationNeighbours {
 
 /// sum over a square or cubic lattice of spacing^dim W, without unit; once, when the particles are added. What the
 /// kernel sum is compared with: not the particle's own sum at the start, which is too small for one that was at a
-/// surface then. Not for a phase that starts on another lattice, which is as much denser or thinner by its first sum.
+/// surface then. Not for a phase that starts on another lattice, whose first sum differs from it.
 ///
 /// Source: our own; the lattice is that of `fill`.
 template <class Kernel = WendlandC2>

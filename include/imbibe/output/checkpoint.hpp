@@ -121,17 +121,18 @@ std::string checkpoint_head(const Scene& scene) {
     return out.str();
 }
 
-/// What a line says from the item on in which it differs from another: "terms of Water: ... WendlandC4, 0> ...".
+/// What a long line says around the place where it parts from another: "terms of Water: ... Diffusion<WendlandC4> ...".
 /// @param same how many characters the two have in common at the beginning
-inline std::string from_difference(const std::string& line, std::size_t same) {
-    constexpr std::size_t most = 100;
+inline std::string around_difference(const std::string& line, std::size_t same) {
+    constexpr std::size_t most = 120, before = 60;
     if (line.size() <= most)
         return line;
-    const auto label = std::min(line.find(": "), same), item = line.rfind(' ', same == 0 ? 0 : same - 1);
-    const bool skips = label < same && item != std::string::npos && item > label + 2;
-    const auto begin = skips ? item : std::size_t{0};
-    return (skips ? line.substr(0, label) + ": ..." : "") + line.substr(begin, most) +
-           (line.size() > begin + most ? " ..." : "");
+    std::size_t begin = same > before ? same - before : 0;
+    if (const auto word = line.find(' ', begin); begin > 0 && word < same)
+        begin = word + 1;
+    const auto label = line.find(": ");
+    const std::string start = begin == 0 ? "" : label < begin ? line.substr(0, label + 2) + "... " : "... ";
+    return start + line.substr(begin, most) + (line.size() > begin + most ? " ..." : "");
 }
 
 /// The first line in which two texts differ, of each.
@@ -146,7 +147,7 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
         if (more_a && more_b && line_a != line_b) {
             const auto parted = std::mismatch(line_a.begin(), line_a.end(), line_b.begin(), line_b.end()).first;
             const auto same = static_cast<std::size_t>(parted - line_a.begin());
-            return {from_difference(line_a, same), from_difference(line_b, same)};
+            return {around_difference(line_a, same), around_difference(line_b, same)};
         }
         if (!more_a || !more_b)
             return {more_a ? line_a : "nothing", more_b ? line_b : "nothing"};
@@ -245,8 +246,9 @@ CheckpointNotes restore(Scene& scene, const std::string& all, const std::string&
 
 /// Brings a scene to the state in a checkpoint. The scene must be made as it was for the run that wrote it: the same
 /// composition, number type, densities, spacings, supports, origin and periods, with its phases added; how many
-/// particles they have does not matter. Other numbers of materials, coefficients and settings are those of this scene.
-/// The run then goes on to the same bits as if it had not stopped.
+/// particles they have does not matter. Other numbers of materials, coefficients and settings are those of this scene,
+/// but by how much steps were shortened (Solver::shorten_steps) is the file's, beside which a CFL number given anew
+/// counts. The run then goes on to the same bits as if it had not stopped.
 /// @return the numbers the program gave along
 /// @throws Error, with the scene as it was, for a file that is missing, cut off, damaged, or of another scene; it names
 /// the difference

@@ -25,13 +25,18 @@ struct SoundSponge : SoundWater {
     template <class Real>
     using Scene = Solver<3, Real, SymplecticEuler, Water, Sponge, Vessel, Contact, Sides>;
 
-    /// The sponge with the numbers of the case.
-    /// @throws Error for a Poisson's ratio above that of its law, NeoHookean
-    static Sponge sponge(const SpongeCase& c) {
+    /// Throws Error for a number of the case that is out of range, a Poisson's ratio above that of its law included.
+    static void check(const SpongeCase& c) {
+        c.check();
         require(c.poisson_ratio <= NeoHookean::greatest_poisson_ratio, "Poisson's ratio = ", c.poisson_ratio,
                 "; it must be above -1 and at most ", NeoHookean::greatest_poisson_ratio, ", above which the mean ",
                 "stress of NeoHookean alternates from particle to particle; a scene of your own with ",
                 "VolumetricDeviatoric in its place goes to 0.499");
+    }
+    /// The sponge with the numbers of the case.
+    /// @throws Error as check()
+    static Sponge sponge(const SpongeCase& c) {
+        check(c);
         const double young = bending_modulus(c.young_modulus, static_cast<int>(std::lround(c.solid_layers())));
         return {{.density = 950,
                  .sound_speed = sound_speed_of(young, c.poisson_ratio, 950),
@@ -42,7 +47,7 @@ struct SoundSponge : SoundWater {
     /// The scene with its particles. Throws Error for a number of the case that is out of range.
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
-        c.check();
+        check(c);
         if (c.search_interval == 0) // fast drops make it 2; displacements stay within 0.5 % of their peak
             c.search_interval = 4;
         const double reach = c.support_ratio * c.water_spacing, sound_speed = 10 * c.fall_speed();

@@ -29,6 +29,9 @@ struct HalfWay {
 /// stress by 3e-11 of itself; JaumannStress, advanced by the same steps, was off by more than the stress after one
 /// turn. In two dimensions plane strain, as there.
 ///
+/// Not for Poisson's ratios near 0.5, where the mean stress alternates from particle to particle (the bound of 0.495 is
+/// that of NeoHookean).
+///
 /// Not a cure for what the Jaumann rate has wrong in large shear (S_xy = G sin(shear)), nor for a velocity gradient
 /// that is too small, as that of VelocityGradient at a free surface: there the stress turns slower than the matter.
 /// Exact for steps of constant length only: L belongs to the last step, dt to this one. With the wrong `When` the

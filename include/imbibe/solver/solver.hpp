@@ -59,7 +59,7 @@ public:
     using Point = Eigen::Matrix<double, dim, 1>;
 
     /// @throws Error for a setting that is not finite or out of range
-    explicit Solver(const Settings<dim>& with) : settings_(with) {
+    explicit Solver(const Settings<dim>& with) : settings_(with), given_{with.cfl, with.time_step, with.max_time_step} {
         with.check();
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
@@ -303,17 +303,18 @@ public:
         } else {
             engine_.search_neighbours();
         }
+        double shortened = shortened_;
+        archive(shortened);
+        if constexpr (Archive::reading)
+            require(shortened > 0 && shortened <= 1, "steps shortened to ", shortened,
+                    " of their length; it must be above 0 and at most 1");
         engine_.archive_particles(archive);
         archive(time_);
         archive(steps_);
         archive(last_step_.seconds);
         archive(last_step_.reason);
         archive(last_step_.where);
-        double shortened = shortened_;
-        archive(shortened);
         if constexpr (Archive::reading) {
-            require(shortened > 0 && shortened <= 1, "steps shortened to ", shortened,
-                    " of their length; it must be above 0 and at most 1");
             scale_steps(shortened);
             engine_.find_reference_neighbours();
             prepared_ = true;
@@ -329,6 +330,9 @@ public:
 
 private:
     Settings<dim> settings_;
+    struct {
+        double cfl, time_step, max_time_step;
+    } given_; // before they were shortened
     Engine engine_;
     double time_ = 0;
     long long steps_ = 0;
@@ -340,10 +344,11 @@ private:
     detail::Warnings warnings_;
 
     void take(const TimeStepLimit& chosen);
+    // From what was given, so that a restarted run rounds as the run did.
     void scale_steps(double shortened) {
-        settings_.cfl *= shortened / shortened_;
-        settings_.time_step *= shortened / shortened_;
-        settings_.max_time_step *= shortened / shortened_;
+        settings_.cfl = given_.cfl * shortened;
+        settings_.time_step = given_.time_step * shortened;
+        settings_.max_time_step = given_.max_time_step * shortened;
         shortened_ = shortened;
     }
     TimeStepLimit shortest(const std::vector<TimeStepLimit>& limits) const {

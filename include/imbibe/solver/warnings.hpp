@@ -182,7 +182,8 @@ std::string warning_of_other_support(const Engine& engine) {
 template <class Term, class P>
 std::string warning_of_poisson_ratio(const P& material, const std::string& name) {
     if constexpr (requires { Term::greatest_poisson_ratio; })
-        if (const double nu = material.poisson_ratio(); nu > Term::greatest_poisson_ratio && nu <= 0.4999) // a liquid
+        if (const double nu = material.poisson_ratio();
+            nu > Term::greatest_poisson_ratio && material.warning(name).empty()) // else that says more
             return text(name, ": Poisson's ratio ", nu, " with ", type_name<Term>(), ", whose mean stress alternates ",
                         "from particle to particle above ", Term::greatest_poisson_ratio,
                         "; take VolumetricDeviatoric with a total-Lagrangian solid, or a smaller ratio");

@@ -52,8 +52,8 @@ double acoustic_time_step(const auto& material, const TimeStepInput& in) {
 /// It is shorter than the limits of the two alone only where one of them is light: a gas beside a liquid with the same
 /// speed of sound, or a soft solid of less than a third of the water's density. 0.18 is from the highest frequencies of
 /// two layers, and of one particle and of three by three (by three) within the other fluid, on lattices with supports
-/// of 1.5 to 3 spacings, with WendlandC2 and the cubic spline, the heavier fluid 10 to 1000 times as stiff. How much of
-/// it holds stands in the rows "pressure between phases" of docs/stability.md.
+/// of 1.5 to 3 spacings, with WendlandC2 and the cubic spline, the heavier fluid 10 to 1000 times as stiff. How
+/// far steps may exceed it: the rows "pressure between phases" of docs/stability.md.
 double interface_time_step(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                            double at_solid = 2) {
     using A = std::remove_cvref_t<decltype(material_a)>;
