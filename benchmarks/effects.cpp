@@ -178,7 +178,7 @@ void add_contact(Cases& cases, const char* effect, const char* good_for) {
 
 Cases all_cases() {
     Cases cases;
-    add<Water>(cases, "a fluid: `LinearState`, `VolumeContinuity`, `VolumePressure`",
+    add<Water>(cases, "the plain fluid: `LinearState`, `VolumeContinuity`, `VolumePressure`",
                "what the rows below are compared with");
     add<WaterMonaghan>(cases, "`MonaghanViscosity`", "damps noise and sound; keeps particles apart in a shock");
     add<WaterLaminar>(cases, "`LaminarViscosity`", "the sponge paper's viscosity");
@@ -253,7 +253,7 @@ Cases all_cases() {
         "what the row below is compared with");
     add_contact<CorrectedFloorNoSlip>(cases, "`NoSlipVelocity` and `CorrectedNoSlipViscosity`",
                                       "walls that such a fluid sticks to");
-    add<Slab, OnTop<Water, Slab>>(cases, "that fluid on a total-Lagrangian slab that it does not see",
+    add<Slab, OnTop<Water, Slab>>(cases, "the plain fluid on a total-Lagrangian slab that it does not see",
                                   "what the rows below are compared with");
     add_contact<SlabExtrapolation>(
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two",
