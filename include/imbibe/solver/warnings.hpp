@@ -181,7 +181,7 @@ std::string warning_of_other_support(const Engine& engine) {
 /// A sentence if a phase is less compressible than a law of its stress bears, or an empty one.
 template <class Term, class P>
 std::string warning_of_poisson_ratio(const P& material, const std::string& name) {
-    if constexpr (requires { Term::greatest_poisson_ratio; })
+    if constexpr (requires { Term::greatest_poisson_ratio, material.poisson_ratio(); })
         if (const double nu = material.poisson_ratio();
             nu > Term::greatest_poisson_ratio && material.warning(name).empty()) // else that says more
             return text(name, ": Poisson's ratio ", nu, " with ", type_name<Term>(), ", whose mean stress alternates ",
