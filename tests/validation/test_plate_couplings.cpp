@@ -34,10 +34,6 @@ double wet_sag(int layers, double modulus) {
     return seen.curve.back();
 }
 
-} // namespace plate_couplings
-
-using namespace plate_couplings;
-
 // Four layers, under water with a spacing of 25 mm: of the spacings of docs/coupling.md the one at which all six are
 // within 4 % there. The modified repulsion misses it by 2 % at 20 mm, the stiff K_f is 2 % off at 12.5 mm. The plate
 // alone is 15 % too soft; what the coupling adds to that is looked at here.
@@ -80,3 +76,5 @@ TEST_CASE("Water bends a soft plate of ten layers as elasticity says", "[validat
     CAPTURE(sag);
     CHECK(sag == Approx(2.10e-3).epsilon(0.04)); // the reference's own tolerance
 }
+
+} // namespace plate_couplings
