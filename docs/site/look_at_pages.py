@@ -82,7 +82,7 @@ def chosen(html):
     lists = ("dir_", "functions", "files", "graph_legend", "namespacemembers")  # they have no title
     made = [page for page in made if not page.endswith(("-members.html", "_source.html")) and not page.startswith(lists)]
     of_headers = [page for page in made if page.startswith(("struct", "class", "namespace", "concept"))]
-    names = {name for row in rows("policies.md", "| | Policies |") for name in re.findall(r"`([A-Z]\w+)", row[1])}
+    names = {name for row in rows("policies.md", "| | Policies |") for name in re.findall(r"`([A-Z]\w+)(?!\w|::)", row[1])}
     named = {page for name in names for page in (f"structimbibe_1_1{name}.html", f"classimbibe_1_1{name}.html")
              if page in made}
     if len(named) < len(names):
