@@ -72,9 +72,14 @@ struct Slab : PlateWith<> {};
 struct SlabNormal : PlateWith<ReferenceSurfaceNormal<K>> {};
 template <class Below, class... Term>
 using Contact = Coupling<Water, Below, Term...>;
+template <class Above, class Below, class... More>
+using ExtrapolationOf = Coupling<Above, Below, Into<Below, PressureExtrapolation<K>>, VolumePressure<K>,
+                                 Into<Above, VolumeContinuity<K>>, More...>;
 template <class Below, class... More>
-using Extrapolation =
-    Contact<Below, Into<Below, PressureExtrapolation<K>>, VolumePressure<K>, Into<Water, VolumeContinuity<K>>, More...>;
+using Extrapolation = ExtrapolationOf<Water, Below, More...>;
+template <class... More>
+using CorrectedExtrapolation =
+    ExtrapolationOf<WaterCorrectedViscosity, Floor, Into<WaterCorrectedViscosity, CorrectionNeighbours<K>>, More...>;
 template <class Below>
 using Riemann =
     Contact<Below, Into<Water, RiemannWallNormal<K>>, RiemannWallPressure<K>, Into<Water, RiemannWallContinuity<K>>>;
@@ -83,13 +88,8 @@ struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlip
 struct FloorLoaded : Extrapolation<Floor, Into<Floor, ReactionForce<VolumePressure<K>>>> {};
 struct FloorRiemann : Riemann<Floor> {};
 struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};
-struct CorrectedFloor : Coupling<WaterCorrectedViscosity, Floor, Into<Floor, PressureExtrapolation<K>>,
-                                 VolumePressure<K>, Into<WaterCorrectedViscosity, VolumeContinuity<K>>,
-                                 Into<WaterCorrectedViscosity, CorrectionNeighbours<K>>> {};
-struct CorrectedFloorNoSlip : Coupling<WaterCorrectedViscosity, Floor, Into<Floor, PressureExtrapolation<K>>,
-                                       VolumePressure<K>, Into<WaterCorrectedViscosity, VolumeContinuity<K>>,
-                                       Into<WaterCorrectedViscosity, CorrectionNeighbours<K>>,
-                                       Into<Floor, NoSlipVelocity<K>>, CorrectedNoSlipViscosity<K>> {};
+struct CorrectedFloor : CorrectedExtrapolation<> {};
+struct CorrectedFloorNoSlip : CorrectedExtrapolation<Into<Floor, NoSlipVelocity<K>>, CorrectedNoSlipViscosity<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};

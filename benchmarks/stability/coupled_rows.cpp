@@ -51,11 +51,10 @@ void add_frames(std::ostream& out) {
 
 void write_frames(std::ostream& out) {
     out << "\n### An impact seen from other frames\n\n"
-           "The greatest difference of any particle from the same impact at home: of places in spacings, of velocities "
-           "in\n"
-           "m/s (the impact has 1 m/s); in double, but for the last two columns, in float and ten thousand heights of "
-           "the\n"
-           "scene away.\n\n| composition |";
+           "The greatest difference of any particle from the same impact at home: of places in spacings, of "
+           "velocities\n"
+           "in m/s (the impact has 1 m/s); in double, but for the last two columns, in float and ten thousand heights\n"
+           "of the scene away.\n\n| composition |";
     for (const NamedFrame& it : frames())
         out << ' ' << it.name << " |";
     out << " far away, with `Settings::origin` | without |\n|---|";

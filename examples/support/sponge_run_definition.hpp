@@ -56,10 +56,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     using Water = typename C::Water;
     using Sponge = typename C::Sponge;
     require(std::isfinite(end) && end > 0, "end time = ", end, " s; it must be above 0 s");
-    if constexpr (requires { C::check(numbers); }) // before a folder is made
-        C::check(numbers);
-    else
-        numbers.check();
+    C::check(numbers); // before a folder is made
     constexpr bool paper = std::is_same_v<C, presets::PaperSponge>;
     const auto checkpoint = output.folder / "checkpoint";
     const auto continued = output.previous ? checkpoint.string() + ".previous" : checkpoint.string();

@@ -28,6 +28,7 @@
 //     (in couplings, as Into the wall or the solid), `between_fluids` (in phases, and in couplings of two fluids),
 //     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli
 //     of `Solid`), `needs_viscosity` (it asks for the viscosity of its phase, or of one of the two of a coupling);
+//   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
 //     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that is
 //     stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on accelerations,

@@ -44,10 +44,12 @@ struct PaperSponge {
     template <class Real>
     using Scene = Solver<3, Real, StaggeredLeapfrog, Water, Sponge, Vessel, Contact, Sides>;
 
-    /// The scene with its particles. Throws Error for a number of the case that is out of range.
+    /// Throws Error for a number of the case that is out of range.
+    static void check(const SpongeCase& c) { c.check(); }
+    /// The scene with its particles. Throws Error as check().
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
-        c.check();
+        check(c);
         if (c.time_step == 0)
             c.time_step = 1e-5; // the paper's
         if (c.search_interval == 0)
