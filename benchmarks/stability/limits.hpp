@@ -310,30 +310,23 @@ inline Outcome marbles(const Plan& plan, double share) {
     return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[all])}; });
 }
 
-/// dv_a/dt = - k x_a: a spring to the origin.
+/// dv_a/dt = - k x_a: a spring to the origin, which says how long a step may be: 2 over its frequency, s.
 struct Spring {
-    static constexpr double k = 1e6;   // 1/s^2
-    static constexpr double start = 1; // spacings from the origin
+    static constexpr double k = 1e6; // 1/s^2
     using reads = sph::Fields<sph::position>;
     using adds = sph::Fields<sph::acceleration>;
     constexpr auto operator()(const auto& a) const { return -k * a[sph::position]; }
-};
-/// The same spring, which says how long a step may be: 2 over its frequency, s.
-struct HonestSpring : Spring {
-    static constexpr double start = 0.1; // so near that its own limit is shorter than that on the acceleration
     static constexpr const char* limit_name = "spring";
     static double time_step_limit(const auto&, const sph::TimeStepInput&) { return 2 / std::sqrt(k); }
 };
-template <class Force>
-struct Swinging : sph::Fluid<Force> {};
+struct Swinging : sph::Fluid<Spring> {};
 
-/// One particle on a spring, let go. Without a limit of the spring the only one is that on the acceleration.
-template <class Force>
-Outcome swing(const Plan& plan) {
-    using Swinger = Swinging<Force>;
-    sph::Solver<2, double, sph::SymplecticEuler, Swinger> scene({.support_radius = dx, .threads = 1});
-    const auto one = scene.add(Swinger{{.density = 1000, .sound_speed = 1}}, {{Force::start * dx, 0}}, dx);
-    const double most = std::sqrt(Spring::k) * Force::start * dx; // its greatest speed, were the steps short
+/// One particle on a spring, let go so near that the spring's own limit is shorter than that on the acceleration.
+inline Outcome swing(const Plan& plan) {
+    constexpr double start = 0.1 * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, Swinging> scene({.support_radius = dx, .threads = 1});
+    const auto one = scene.add(Swinging{{.density = 1000, .sound_speed = 1}}, {{start, 0}}, dx);
+    const double most = std::sqrt(Spring::k) * start; // its greatest speed, were the steps short
     scene.step(1e-9); // from here on there is an acceleration to limit the steps
     const Watch<2> watch{.end = 100 / std::sqrt(Spring::k),
                          .guard = {.speed = 1e6, .energy = std::numeric_limits<double>::infinity()},

@@ -158,7 +158,44 @@ TEST_CASE("Long steps are limited by walls that a program moves, as fast as it m
     CHECK(scene.next_step().where != "Paddle");
 }
 
-TEST_CASE("Long steps are no longer than shifting bears", "[substeps]") {
+namespace {
+
+struct Grains : sph::Fluid<sph::ParticleShifting<K>> {};
+
+/// How much more a rough lattice is shifted, per unit of time, after fifty steps of the length `step`, s, with nothing
+/// but shifting, at 1 m/s.
+template <int dim>
+double roughness_left(double step, double support, double most_in_a_step) {
+    constexpr double length = (dim == 2 ? 16 : 10) * dx;
+    sph::Settings<dim> settings{.support_radius = support * dx, .search_skin = 0.1, .threads = 1};
+    settings.periodic_length.fill(length);
+    sph::Solver<dim, double, sph::DualStepping<sph::ParticleShifting<K>>, Grains> scene(settings);
+    Grains material{{.density = 1000, .sound_speed = 30}};
+    material.set(sph::ParticleShiftingParameters{.least_speed = 1, .most_in_a_step = most_in_a_step});
+    const sph::Box<dim> box{sph::Point<dim>::Zero(), sph::Point<dim>::Constant(length)};
+    const auto all = scene.add(material, sph::jitter<dim>(sph::fill(box, dx), 0.01 * dx, 3), dx);
+    scene.step(step);
+    const double first = scene[all][sph::transport_correction].norm();
+    for (int k = 1; k < 50; ++k)
+        scene.step(step);
+    return scene[all][sph::transport_correction].norm() / first;
+}
+
+} // namespace
+
+TEST_CASE("Shifting makes particles smoother however long steps are, and with little more in a step rougher",
+          "[substeps]") {
+    for (const double support : {3.0, 4.0})
+        for (const double step : {dx, 100 * dx, 1e4 * dx}) {
+            CAPTURE(support, step / dx);
+            CHECK(roughness_left<2>(step, support, 0.04) < 0.9);
+            CHECK(roughness_left<2>(step, support, 0.055) > 4);
+        }
+    CHECK(roughness_left<3>(100 * dx, 2.6, 0.04) < 0.9);
+    CHECK(roughness_left<3>(100 * dx, 2.6, 0.055) > 4);
+}
+
+TEST_CASE("Long steps are no longer than shifting takes to put particles in order", "[substeps]") {
     struct Shifted : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>,
                                 sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
     using Slow = sph::DualStepping<sph::MorrisViscosity<K>, sph::ParticleShifting<K>>;

@@ -14,12 +14,11 @@ namespace {
 using stability::Row;
 
 // Those of which docs/stability.md says why they are longer or shorter than what holds.
-constexpr std::array explained_as_short{"Tait<7>, Spiky, H = 1.25", "DensityFloor, rate = 20",
-                                        "SummationFloor, rate = 20", "paper's hypoelastic, nu 0.3",
-                                        "KernelRepulsion within a phase"};
-constexpr std::array explained_as_long{"a spring to the origin", "LinearState, WendlandC2, H = 1.25, rough",
-                                       "ParticleShifting, H = 2.6", "ParticleShifting, H = 3",
-                                       "ParticleShifting, H = 4"};
+constexpr std::array explained_as_short{"Tait<7>, Spiky, H = 1.25",       "DensityFloor, rate = 20",
+                                        "SummationFloor, rate = 20",      "paper's hypoelastic, nu 0.3",
+                                        "KernelRepulsion within a phase", "ParticleShifting, H = 2.6",
+                                        "ParticleShifting, H = 3",        "ParticleShifting, H = 4"};
+constexpr std::array explained_as_long{"LinearState, WendlandC2, H = 1.25, rough"};
 
 // Each of these limits some scene.
 constexpr std::array reasons{"sound",
@@ -34,7 +33,6 @@ constexpr std::array reasons{"sound",
                              "repulsion",
                              "repulsion stiffness",
                              "corrected gradients",
-                             "acceleration",
                              "Riemann dissipation",
                              "Riemann dissipation at the wall",
                              "Riemann smoothing of the density",

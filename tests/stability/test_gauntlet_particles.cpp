@@ -13,8 +13,8 @@ TEST_CASE("Particles that start deep in a hard repulsion get back what it stored
 }
 
 TEST_CASE("A force that states its own limit is stable up to it", "[stability]") {
-    CHECK(stability::swing<stability::HonestSpring>({.cfl = 0.9}).stable);
-    CHECK(!stability::swing<stability::HonestSpring>({.cfl = 1.05}).stable);
+    CHECK(stability::swing({.cfl = 0.9}).stable);
+    CHECK(!stability::swing({.cfl = 1.05}).stable);
 }
 
 TEST_CASE("Where a support is warned of, gradients are about half of what they should be", "[stability]") { // row 12

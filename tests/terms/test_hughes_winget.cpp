@@ -194,6 +194,8 @@ struct Pull { // towards the origin
         using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
         return T(-1) * a[position];
     }
+    static constexpr const char* limit_name = "pull";
+    static double time_step_limit(const auto&, const TimeStepInput&) { return 2; }
 };
 template <class When>
 struct Body : Solid<Measured, Pull, HughesWingetStress<When>> {};

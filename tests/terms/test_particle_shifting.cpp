@@ -2,6 +2,14 @@
 #include "cloud.hpp"
 
 #include <imbibe/fluid/particle_shifting.hpp>
+#include <imbibe/kernels/cubic_spline.hpp>
+#include <imbibe/kernels/quintic_spline.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
 
 namespace particle_shifting_test {
 
@@ -95,14 +103,72 @@ void check_direction() {
     a.set(velocity, Vector<Number<double>, dim>::zero());
     CHECK(plain(Term::Shift{with}(a)).norm() == 0);
     CHECK(plain(Term::Shift{{.strength = 1.5, .least_speed = 4}}(a)).norm() == Approx(2 * expected.norm()));
+    // no farther in one step than a share of H^2, however fast
+    a.time_step = 1e3;
+    CHECK(plain(Term::Shift{{.strength = 1.5, .least_speed = 4}}(a)).norm() * 1e3 ==
+          Approx(0.04 * 27e-9 / 1e-3 * g.norm()));
+    a.time_step = 1e-9;
+    CHECK(plain(Term::Shift{{.strength = 1.5, .least_speed = 4}}(a)).norm() == Approx(2 * expected.norm()));
     // alone
     auto drop = block<dim>(water_here(), 1, 0);
     shift<dim>(drop);
     CHECK(plain(drop.front()[transport_correction]).norm() == 0);
 }
 
+/// The most that particles of a square lattice may be shifted in a step, over H^3/spacing times the gradient of
+/// concentration, so that no wave in their places grows: 2/lambda, with the greatest eigenvalue lambda of how the
+/// gradient changes with the places, over waves cos(k.x) of all directions and lengths.
+template <class Kernel>
+double bearable_in_a_step(double support) {
+    constexpr double dx = 1e-3, little = 1e-4 * dx;
+    Water material = water_here();
+    material.support_radius = support * dx;
+    const auto lattice = block<2>(material, 2 * static_cast<int>(support) + 3, 0);
+    const auto& centre = lattice[lattice.size() / 2];
+    const auto gradient_in_wave = [&](double kx, double ky, int along) {
+        Column<2> sum = Column<2>::Zero();
+        const auto moved = [&](auto particle) {
+            const Column<2> x = plain(particle[position]), r = (x - plain(centre[position])) / dx;
+            particle.set(position, vec<2>(x + Column<2>::Unit(along) * (little * std::cos(kx * r[0] + ky * r[1]))));
+            return particle;
+        };
+        const auto a = moved(centre);
+        for (const auto& b : lattice) {
+            const auto other = moved(b);
+            const auto ab = geometry<ShiftingNeighbours<Kernel>, 2>(a, other);
+            sum += plain(contribution(ab, std::get<0>(ShiftingNeighbours<Kernel>{}(a, other, ab))));
+        }
+        return Column<2>(sum / little);
+    };
+    double stiffest = 0;
+    for (int i = 0; i <= 16; ++i)
+        for (int j = 0; j <= 16; ++j) {
+            Eigen::Matrix2d change;
+            for (int along = 0; along < 2; ++along)
+                change.col(along) = gradient_in_wave(pi * i / 16, pi * j / 16, along);
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(0.5 * (change + change.transpose()));
+            stiffest = std::max(stiffest, solver.eigenvalues().maxCoeff());
+        }
+    return 2 / stiffest * dx / std::pow(material.support_radius, 3);
+}
+
 } // namespace
 
+TEST_CASE("A lattice bears in one step what ParticleShiftingParameters says") {
+    CHECK(bearable_in_a_step<WendlandC2>(2.6) == Approx(0.038).epsilon(0.02));
+    CHECK(bearable_in_a_step<WendlandC2>(3) == Approx(0.042).epsilon(0.02));
+    CHECK(bearable_in_a_step<WendlandC2>(4) == Approx(0.042).epsilon(0.02));
+    for (const double support : {3.0, 4.0})
+        CHECK(bearable_in_a_step<CubicSpline>(support) > 0.049);
+    for (const double support : {2.6, 3.0, 4.0}) {
+        CAPTURE(support);
+        for (const double most :
+             {bearable_in_a_step<WendlandC4>(support), bearable_in_a_step<QuinticSpline>(support)}) {
+            CHECK(most > 0.019);
+            CHECK(most < 0.031);
+        }
+    }
+}
 TEST_CASE("ParticleShifting leaves a lattice and free surfaces alone") {
     check_lattice<2>();
     check_lattice<3>();
@@ -126,6 +192,7 @@ TEST_CASE("ParticleShifting takes a particle for one of the surface by the bound
 }
 TEST_CASE("ParticleShifting checks its coefficients") {
     CHECK_THROWS_AS(ParticleShiftingParameters{.strength = -1}.check("Water"), Error);
+    CHECK_THROWS_AS(ParticleShiftingParameters{.most_in_a_step = 0}.check("Water"), Error);
     CHECK_THROWS_AS((ParticleShiftingParameters{.surface_below = 0.9, .inside_above = 0.8}.check("Water")), Error);
 }
 

@@ -30,9 +30,10 @@
 //     of `Solid`), `needs_viscosity` (it asks for the viscosity of its phase, or of one of the two of a coupling);
 //   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
-//     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that is
-//     stiff in positions needs one, 2/sqrt(k) for a stiffness k per mass: the solver's own limit on accelerations,
-//     sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what throws it is.
+//     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that
+//     reads positions must have one, 2/sqrt(k) for a stiffness k per mass, infinity where it is not stiff: the solver's
+//     own limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what
+//     throws it is. So should a force between two that is stiff in their distance.
 #pragma once
 
 #include <imbibe/core/field.hpp>

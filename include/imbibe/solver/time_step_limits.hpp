@@ -188,8 +188,24 @@ private:
         if constexpr (there != named || callable != named)
             return break_rule<rules::LimitNotUsable<
                 Term, write_time_step_limit_of_the_material_and_TimeStepInput_with_a_limit_name>>();
+        else if constexpr (!callable)
+            return check_forces<Term>(PartList<Term>{});
         else
             return true;
+    }
+    // Is no part of a term that has no limit a force that depends on where a particle is?
+    template <class Term>
+    static constexpr bool check_forces(TypeList<>) {
+        return true;
+    }
+    template <class Term, class Part, class... Rest>
+    static constexpr bool check_forces(TypeList<Part, Rest...>) {
+        if constexpr (contains<Position, typename ReadsOf<Part>::type> &&
+                      contains<Rate<Velocity>, typename AddsOf<Part>::type>)
+            return break_rule<rules::ForceOfPositionsWithoutLimit<
+                Part, Term, write_a_time_step_limit_2_over_the_root_of_its_stiffness_per_mass_or_infinity>>();
+        else
+            return check_forces<Term>(TypeList<Rest...>{});
     }
     // A term may need no coefficients for its limit, or have no limit.
     template <class Term, class Where, class Owner, class... Materials>
