@@ -8,6 +8,10 @@
 #include <imbibe/solid/neo_hookean.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/solid/total_lagrangian_viscosity.hpp>
+#include <imbibe/time/leapfrog.hpp>
+#include <imbibe/time/midpoint_runge_kutta.hpp>
+#include <imbibe/time/position_verlet.hpp>
+#include <imbibe/time/staggered_leapfrog.hpp>
 
 namespace cost {
 namespace {
@@ -24,7 +28,7 @@ struct ShearFromPairs : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationG
                                    sph::TotalLagrangianViscosity<>, sph::Clamped> {};
 
 /// The error of the mean period, as a share of it.
-template <class Plate>
+template <class Plate, class Integrator = sph::SymplecticEuler>
 accuracy::Outcome period(const accuracy::Choices& choose) {
     const int across = static_cast<int>(choose.number("across"));
     const double support = choose.number("support");
@@ -33,18 +37,25 @@ accuracy::Outcome period(const accuracy::Choices& choose) {
     const double young = choose["modulus"] == "modulus for its layers"
                              ? sph::bending_modulus(plate_case::young_modulus, across)
                              : plate_case::young_modulus;
-    const auto seen =
-        plate_case::swing(plate_case::rubber<Plate>(young),
-                          {.across = across, .support_ratio = support, .periods = 5, .cfl = choose.number("cfl")});
+    const auto seen = plate_case::swing<Integrator>(
+        plate_case::rubber<Plate>(young),
+        {.across = across, .support_ratio = support, .periods = 5, .cfl = choose.number("cfl")});
     sph::require(seen.peaks.size() == 5, "the plate swung ", seen.peaks.size(), " times where 5 were expected");
     return {std::abs(seen.period() / 0.2552 - 1), seen.pair_evaluations};
 }
 
-const Compositions<> compositions({{"force", "St. Venant-Kirchhoff"}, {"hourglass control", "with hourglass control"}},
-                                  {{{}, period<ElasticPlate>},
-                                   {{{"force", "neo-Hookean"}}, period<NeoHookeanPlate>},
-                                   {{{"force", "shear from pairs, with viscosity"}}, period<ShearFromPairs>},
-                                   {{{"hourglass control", "without hourglass control"}}, period<WithoutControl>}});
+const Compositions<>
+    compositions({{"force", "St. Venant-Kirchhoff"},
+                  {"hourglass control", "with hourglass control"},
+                  {"integrator", "symplectic Euler"}},
+                 {{{}, period<ElasticPlate>},
+                  {{{"force", "neo-Hookean"}}, period<NeoHookeanPlate>},
+                  {{{"force", "shear from pairs, with viscosity"}}, period<ShearFromPairs>},
+                  {{{"hourglass control", "without hourglass control"}}, period<WithoutControl>},
+                  {{{"integrator", "leapfrog"}}, period<ElasticPlate, sph::Leapfrog>},
+                  {{{"integrator", "position Verlet"}}, period<ElasticPlate, sph::PositionVerlet>},
+                  {{{"integrator", "staggered leapfrog"}}, period<ElasticPlate, sph::StaggeredLeapfrog>},
+                  {{{"integrator", "midpoint Runge-Kutta"}}, period<ElasticPlate, sph::MidpointRungeKutta>}});
 
 } // namespace
 
@@ -52,7 +63,7 @@ Rows plate(accuracy::Study study, bool quick) {
     study.axis("across", quick ? Words{"4", "6"} : Words{"4", "6", "10", "16"});
     compositions.add_to(study);
     study.axis("modulus", {"modulus of the material", "modulus for its layers"});
-    study.axis("support", {"1.5", "2", "2.6"}).axis("cfl", {"0.4"});
+    study.axis("support", {"1.5", "2", "2.6"}).axis("cfl", {"0.4", "0.8"});
     study.also({{"force", "shear from pairs, with viscosity"}, {"support", "2"}}); // which it needs: PairwiseShearForce
     return study.one_at_a_time(compositions, {"across"});
 }

@@ -68,10 +68,10 @@ struct Swings {
 };
 
 /// @tparam Plate ElasticPlate, RatePlate, or another solid that can be clamped
-template <class Plate>
+template <class Integrator = sph::SymplecticEuler, class Plate>
 Swings swing(const Plate& material, const Run& run) {
     const double spacing = run.thickness / run.across;
-    sph::Solver<2, double, sph::SymplecticEuler, Plate> scene(
+    sph::Solver<2, double, Integrator, Plate> scene(
         {.support_radius = run.support_ratio * spacing, .cfl = run.cfl, .threads = 1});
     const bool rigid = run.root == Root::rigid;
     const double root = rigid ? std::ceil(2 * run.support_ratio) * spacing : 0.06; // more than a particle can see
