@@ -80,12 +80,13 @@ double flux(const SceneType& scene, const Direction& along, double spacing) {
     return sum.dot(along) * std::pow(spacing, SceneType::dimension);
 }
 
-/// Runs until the flux, averaged over a time `apart`, changes by less than 3e-4 of itself from one such time to the
-/// next, and returns it. The mean leaves out what rings.
+/// Runs until the flux, averaged over a time `apart`, changes by less than `change` of itself from one such time to the
+/// next, and returns it. The mean leaves out what rings, if its period is no longer than that: else the crest of a wave
+/// would be taken for rest.
 template <class K, class SceneType, class Direction>
-double steady_flux(SceneType& scene, const Direction& along, double spacing, double apart) {
+double steady_flux(SceneType& scene, const Direction& along, double spacing, double apart, double change = 3e-4) {
     double now = 0;
-    for (double end = apart, before = -1; std::abs(now - before) > 3e-4 * now || now <= 0; end += apart) {
+    for (double end = apart, before = -1; std::abs(now - before) > change * now || now <= 0; end += apart) {
         before = now;
         double sum = 0, last = scene.time();
         const double begin = last;

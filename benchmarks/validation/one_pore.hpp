@@ -53,7 +53,7 @@ double resistance(int resolution, const Cell& apart = {}) {
         const double head = std::abs(above) > thickness / 2 ? from_half_way : -above * apart.plates / thickness;
         liquid[sph::density](i) = static_cast<Real>(1 + force * head / (c * c));
     }
-    const double Q = creeping::steady_flux<K>(scene, along, spacing, 0.5) / period;
+    const double Q = creeping::steady_flux<K>(scene, along, spacing, ring, 1e-3) / period;
     return force * period / Q;
 }
 
