@@ -1,6 +1,6 @@
 // A spring that does not say how long steps may be.
 // expect: this term's force depends on positions, and it does not say what steps it bears
-// expect: ForceOfPositionsWithoutLimit<Spring, Spring, imbibe::write_a_time_step_limit_2_over_the_root_of_its_stiffness_per_mass_or_infinity>
+// expect: ForceOfPositionsWithoutLimit<Spring, Water, imbibe::write_a_time_step_limit_with_a_limit_name_or_derive_it
 #include "scene.hpp"
 
 struct Spring {

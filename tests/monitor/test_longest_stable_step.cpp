@@ -20,15 +20,8 @@ namespace sph = imbibe;
 using imbibe_test::contains;
 using K = sph::WendlandC2;
 
-/// A force that says of itself that it bears any step.
-struct Boundless {
-    static constexpr const char* limit_name = "none";
-    static double time_step_limit(const auto&, const sph::TimeStepInput&) {
-        return std::numeric_limits<double>::infinity();
-    }
-};
-/// dv_a/dt = -k x_a - d v_a.
-struct DampedSpring : Boundless {
+/// dv_a/dt = -k x_a - d v_a, without a limit of its own.
+struct DampedSpring : sph::NotStiff {
     static constexpr double k = 1e6, d = 500; // 1/s^2, 1/s
     using reads = sph::Fields<sph::position, sph::velocity>;
     using adds = sph::Fields<sph::acceleration>;
@@ -36,7 +29,7 @@ struct DampedSpring : Boundless {
 };
 struct Swinging : sph::Fluid<DampedSpring> {};
 /// Particles that are pushed away from the origin, whatever the step.
-struct Repeller : Boundless {
+struct Repeller : sph::NotStiff {
     using reads = sph::Fields<sph::position>;
     using adds = sph::Fields<sph::acceleration>;
     constexpr auto operator()(const auto& a) const { return 1e24 * a[sph::position]; }

@@ -31,9 +31,10 @@
 //   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
 //     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that
-//     reads positions must have one, 2/sqrt(k) for a stiffness k per mass, infinity where it is not stiff: the solver's
-//     own limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what
-//     throws it is. So should a force between two that is stiff in their distance.
+//     reads positions must have one, 2/sqrt(k) for a stiffness k per mass, or derive from `NotStiff`: the solver's own
+//     limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what
+//     throws it is. One that is stiff in the distance of two particles, or in a field made of positions, should have
+//     one too.
 #pragma once
 
 #include <imbibe/core/field.hpp>
@@ -267,6 +268,16 @@ struct IMBIBE_PER_BUILD TimeStepInput {
     /// The least trace of a symmetric tensor in the phase, for terms of a phase that ask for one by
     /// `using limit_by_least_trace = Field`; 0 before the first step if it is not computed once.
     double least_trace = 0;
+};
+
+/// The base of a term whose force depends on positions and is not stiff in them, such as that of a rotating frame or of
+/// waves that are made somewhere: it limits no step.
+struct NotStiff {
+    static constexpr const char* limit_name = "not stiff";
+    static double time_step_limit(const auto&, const TimeStepInput&) { return std::numeric_limits<double>::infinity(); }
+    static double time_step_limit(const auto&, const auto&, const TimeStepInput&) {
+        return std::numeric_limits<double>::infinity();
+    }
 };
 
 namespace detail {

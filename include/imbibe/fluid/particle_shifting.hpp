@@ -6,6 +6,7 @@
 #include <imbibe/kernels/wendland.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace imbibe {
@@ -43,11 +44,12 @@ struct ParticleShiftingParameters {
     double most = 0.25;
     /// The speed that counts where a particle's own is less, m/s.
     double least_speed = 0;
-    /// The farthest a particle is shifted in one step, over H^3/spacing times the gradient of concentration: whatever
-    /// the length of steps, a lattice grows smoother with up to 0.042 (WendlandC2, supports of 3 to 4
-    /// spacings), 0.038 (WendlandC2, 2.6), 0.049 and more (CubicSpline, 3 to 4), 0.019 to 0.031 (WendlandC4 and
-    /// QuinticSpline, 2.6 to 4); beyond, its particles go to and fro, by no more than `most` of their way.
-    double most_in_a_step = 0.04;
+    /// The farthest a particle is shifted in one step, over H^3/spacing times the gradient of concentration. On a
+    /// square lattice no wave of places overshoots and grows with up to 0.038 to 0.043 (WendlandC2 with supports of 2.6
+    /// to 4 spacings), 0.049 and more (CubicSpline, 3 to 4), 0.019 to 0.031 (WendlandC4 and QuinticSpline, 2.6 to 4):
+    /// give the last two 0.018 where long steps make use of it. Beyond, particles go to and fro, within the bound of
+    /// `most`.
+    double most_in_a_step = 0.035;
     /// A particle is at a free surface where its position divergence is below `surface_below`, and inside where it is
     /// above `inside_above`; a straight ramp between the two.
     double surface_below = 0.75, inside_above = 0.85;
@@ -57,8 +59,9 @@ struct ParticleShiftingParameters {
         require_not_negative(strength, where, "ParticleShiftingParameters::strength", "");
         require_not_negative(most, where, "ParticleShiftingParameters::most", "");
         require_not_negative(least_speed, where, "ParticleShiftingParameters::least_speed", "m/s");
-        require(most_in_a_step > 0, where, ": ParticleShiftingParameters::most_in_a_step = ", most_in_a_step,
-                "; it must be above 0");
+        require(std::isfinite(most_in_a_step) && most_in_a_step > 0, where,
+                ": ParticleShiftingParameters::most_in_a_step = ", most_in_a_step,
+                "; it must be finite and above 0, usually 0.035");
         require(inside_above > surface_below, where, ": ParticleShiftingParameters::inside_above = ", inside_above,
                 "; it must be above surface_below, ", surface_below);
     }
@@ -88,15 +91,16 @@ struct ShiftingNeighbours {
     }
 };
 
-/// transport_correction = - (1 - s) g_a min(|v_a| strength H, |v_a| most/|g_a|, 0.04 H^3/(spacing dt)), in m/s, with
+/// transport_correction = - (1 - s) g_a min(|v_a| strength H, |v_a| most/|g_a|, 0.035 H^3/(spacing dt)), in m/s, with
 /// the gradient of concentration
 ///
 ///     g_a = sum_b V_b (1 + 0.2 (W_ab/W(spacing))^4) grad_a W_ab
 ///
 /// and s between 0 inside and 1 at and near a free surface. Particles are moved with v + transport_correction; their
 /// momentum is untouched. The last bound, `most_in_a_step`, is there for long steps dt: shifting is a diffusion of
-/// positions, which explicit steps bear up to a share of H^2. Usual steps do not come near it, and MidpointRungeKutta
-/// and PredictorCorrector, which do not tell their terms how long a step is, go without.
+/// positions, of which explicit steps bear so much and no more. The steps of sound, at the CFL number 0.4 and a tenth
+/// of its speed, come to half of it with a strength of 2, and to it with 4. MidpointRungeKutta and PredictorCorrector,
+/// which do not tell their terms how long a step is, go without; with Leapfrog the length is that of the step before.
 ///
 /// Keeps particles evenly spread where they would line up along streamlines, and closes the voids that open where the
 /// pressure is negative. Off at the free surface, so that it does not creep: s_a = min(sum_b chi_b W_ab/W(spacing), 1),
@@ -162,13 +166,15 @@ struct ParticleShifting {
     using parts = Parts<ShiftingNeighbours<Kernel>, Detect, Approach, Shift>;
 
     static constexpr const char* advection_limit_name = "particle shifting";
-    /// 0.1 H^2/(spacing strength v), s, with the greatest speed v, at least `least_speed`: for the long steps of
-    /// DualStepping, if it is evaluated in those. At the usual CFL number, 0.4, that is as long as steps can be before
-    /// `most_in_a_step` shifts particles by less than `strength` asks for; longer ones are stable, with less order
-    /// among the particles. Steps that sound limits are shorter than that as long as v is below a fifth of its speed.
+    /// 2.5 most_in_a_step H^2/(spacing strength v), s, with the greatest speed v, at least `least_speed`: for the long
+    /// steps of DualStepping, if it is evaluated in those. At the usual CFL number, 0.4, that is as long as steps can
+    /// be before `most_in_a_step` shifts particles by less than `strength` asks for; longer ones leave less order among
+    /// them. Steps that sound limits are shorter than that, with a strength of 2, as long as v is below a sixth of its
+    /// speed.
     static double advection_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double speed = parameters.strength * std::max(in.max_speed, parameters.least_speed);
-        return speed > 0 ? 0.1 * material.support_radius * material.support_radius / (in.spacing * speed)
+        return speed > 0 ? 2.5 * parameters.most_in_a_step * material.support_radius * material.support_radius /
+                               (in.spacing * speed)
                          : std::numeric_limits<double>::infinity();
     }
 };

@@ -24,7 +24,7 @@ struct list_it_where_a_phase_has_a_viscosity_as_fluids_and_walls_do;
 struct let_the_part_add_to_the_field;
 struct let_the_part_add_to_its_rate_or_set_it;
 struct write_time_step_limit_of_the_material_and_TimeStepInput_with_a_limit_name;
-struct write_a_time_step_limit_2_over_the_root_of_its_stiffness_per_mass_or_infinity;
+struct write_a_time_step_limit_with_a_limit_name_or_derive_it_from_NotStiff;
 struct couple_two_different_phases;
 struct list_the_phase_in_the_solver;
 struct list_the_coupling_in_the_solver;
@@ -164,7 +164,7 @@ struct LimitNotUsable {
     static_assert(never<Term>, "imbibe: this term's limit on the step has no name, or cannot be called");
 };
 /// Rule: a force that reads positions says how long steps may be, because nobody else knows how stiff it is.
-template <class Part, class Term, class Advice>
+template <class Term, class Where, class Advice>
 struct ForceOfPositionsWithoutLimit {
     static_assert(never<Term>,
                   "imbibe: this term's force depends on positions, and it does not say what steps it bears");

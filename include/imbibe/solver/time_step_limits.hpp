@@ -180,7 +180,7 @@ private:
             return false;
     }
     // Has the term a limit and its name, or neither? One of phases only, or of couplings, has none in the others.
-    template <class Term, class M, class... Other>
+    template <class Term, class Where, class M, class... Other>
     static constexpr bool check_limit() {
         constexpr bool callable = has_limit<Term, M, Other...>() || has_limit<Term, M>() || has_limit<Term, M, M>();
         constexpr bool named = requires { Term::limit_name; };
@@ -188,24 +188,21 @@ private:
         if constexpr (there != named || callable != named)
             return break_rule<rules::LimitNotUsable<
                 Term, write_time_step_limit_of_the_material_and_TimeStepInput_with_a_limit_name>>();
-        else if constexpr (!callable)
-            return check_forces<Term>(PartList<Term>{});
+        else
+            return check_force<Term, Where, M, Other...>();
+    }
+    // Does something that the term moves read where it is, and the term not say what steps that bears?
+    template <class Term, class Where, class... Materials>
+    static constexpr bool check_force() {
+        constexpr bool is_force = []<class... Part>(TypeList<Part...>) {
+            return (contains<Position, typename ReadsOf<Part>::type> || ...) &&
+                   (contains<Rate<Velocity>, typename AddsOf<Part>::type> || ...);
+        }(PartList<Term>{});
+        if constexpr (is_force && (Materials::moves || ...) && !has_limit<Term, Materials...>())
+            return break_rule<rules::ForceOfPositionsWithoutLimit<
+                Term, Where, write_a_time_step_limit_with_a_limit_name_or_derive_it_from_NotStiff>>();
         else
             return true;
-    }
-    // Is no part of a term that has no limit a force that depends on where a particle is?
-    template <class Term>
-    static constexpr bool check_forces(TypeList<>) {
-        return true;
-    }
-    template <class Term, class Part, class... Rest>
-    static constexpr bool check_forces(TypeList<Part, Rest...>) {
-        if constexpr (contains<Position, typename ReadsOf<Part>::type> &&
-                      contains<Rate<Velocity>, typename AddsOf<Part>::type>)
-            return break_rule<rules::ForceOfPositionsWithoutLimit<
-                Part, Term, write_a_time_step_limit_2_over_the_root_of_its_stiffness_per_mass_or_infinity>>();
-        else
-            return check_forces<Term>(TypeList<Rest...>{});
     }
     // A term may need no coefficients for its limit, or have no limit.
     template <class Term, class Where, class Owner, class... Materials>
@@ -220,7 +217,7 @@ private:
             if constexpr (requires { Term::time_step_limit(materials..., in, parameters); })
                 seconds = Term::time_step_limit(materials..., in, parameters);
         }
-        if constexpr (!check_limit<Term, Materials...>())
+        if constexpr (!check_limit<Term, Where, Materials...>())
             return;
         else if constexpr (requires { Term::limit_name; })
             if (seconds >= 0 && seconds < std::numeric_limits<double>::infinity())
