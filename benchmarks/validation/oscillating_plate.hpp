@@ -67,6 +67,7 @@ struct Swings {
     double period() const { return upward.back() / static_cast<double>(peaks.size()); } ///< the mean one, s
 };
 
+/// @tparam Integrator of the scene
 /// @tparam Plate ElasticPlate, RatePlate, or another solid that can be clamped
 template <class Integrator = sph::SymplecticEuler, class Plate>
 Swings swing(const Plate& material, const Run& run) {

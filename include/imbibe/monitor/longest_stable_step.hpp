@@ -183,8 +183,8 @@ private:
 
 /// The longest step, s, that a scene bears as it is now: `longest_stable_step(scene)`. With longer ones small
 /// disturbances grow. It needs no limit of any term, knows how particles lie and what adds up, and takes the integrator
-/// as it is; so it is for forces that a program brings along without a limit of their own, for bodies that are thin in
-/// places, and to see how far `scene.time_step_limits().front()` is from the truth.
+/// as it is; so it is for forces between particles that a program brings along without a limit, for bodies that are thin
+/// in places, and to see how far `scene.time_step_limits().front()` is from the truth.
 ///
 /// Copies of the scene take steps of the same length from the same state over and over, with and without a disturbance
 /// of all particles, and the difference they make is the next disturbance: power iteration with the derivative of the
