@@ -8,7 +8,7 @@
 // pressure with which it ends, but for what the flow near the pore makes of it: otherwise it would ring for long.
 // Measure: rho f (L + 6 a) a^3/(mu Q): a body force on all of the liquid drives as a pressure drop of rho f a period.
 // Q is the mean flux along the plates' normal over 2.5 a^2/nu, in which the liquid between two plates rings once
-// through the pore, when it is the same to 0.1 % as in the 2.5 before.
+// through the pore, when it is the same to 0.5 % as in the 2.5 before.
 #pragma once
 
 #include "creeping.hpp"
@@ -46,7 +46,7 @@ double resistance(int resolution, double support = 3, int threads = 1) {
         const double head = std::abs(above) > thickness / 2 ? from_half_way : -above * space / thickness;
         liquid[sph::density](i) = static_cast<Real>(1 + force * head / (c * c));
     }
-    const double Q = creeping::steady_flux<K>(scene, along, spacing, 2.5, 1e-3) / period;
+    const double Q = creeping::steady_flux<K>(scene, along, spacing, 2.5, 5e-3) / period;
     return force * period / Q;
 }
 

@@ -158,7 +158,7 @@ def check_accuracy(folder):
                      "--output", folder, tools=False)
     check(code == 0, "--accuracy draft:", code, said)
     before = said[:said.index("100.0 %")]
-    for words in ("draft", "16 %", "that of the finest run", "Expected wall time"):
+    for words in ("draft", "18 %", "that of the finest run", "Expected wall time"):
         check(words in before, f"--accuracy draft does not say '{words}' before it runs:", said)
 
 

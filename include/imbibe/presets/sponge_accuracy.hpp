@@ -19,7 +19,7 @@ struct SpongeAccuracy {
 /// `SoundSponge`, coarse to fine; `standard` has the paper's spacing. With a support of 2 spacings the same difference
 /// costs less, but water under tension opens (docs/stability.md), so all three have 2.6.
 inline constexpr std::array<SpongeAccuracy, 3> sponge_accuracies{
-    {{"draft", 1.0e-3, 2.6, 0.16}, {"standard", 0.8e-3, 2.6, 0.12}, {"reference", 0.6e-3, 2.6, 0.09}}};
+    {{"draft", 1.0e-3, 2.6, 0.18}, {"standard", 0.8e-3, 2.6, 0.14}, {"reference", 0.6e-3, 2.6, 0.10}}};
 
 /// Makes a case as fine as the word says, and returns what that is. On a strip, which is periodic, the spacing is the
 /// nearest that divides the period. Throws Error for a word that is none of sponge_accuracies.
