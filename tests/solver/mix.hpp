@@ -25,8 +25,9 @@ namespace solver_test {
 namespace sph = imbibe;
 using C2 = sph::WendlandC2;
 
-/// Springs between neighbours of the stress-free solid: dv_a/dt = -k sum_b m_b (u_a - u_b) W_ab.
-struct Springs {
+/// Springs between neighbours of the stress-free solid: dv_a/dt = -k sum_b m_b (u_a - u_b) W_ab. Not stiff in the steps
+/// that it is given.
+struct Springs : sph::NotStiff {
     static constexpr double k = 2;
     struct Pull {
         using neighbourhood = sph::Reference;
