@@ -1,4 +1,4 @@
-// One row for every reason that limits a time step.
+// One row for every reason that limits a time step but `acceleration`, which says how far particles are thrown.
 #include "limits.hpp"
 #include "rows.hpp"
 

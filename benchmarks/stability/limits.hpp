@@ -1,4 +1,4 @@
-// One scene for every reason that limits a time step: the reason is the only one, or by far the shortest.
+// One scene for every reason that limits a time step but `acceleration`: the reason is the only one, or by far the shortest.
 #pragma once
 
 #include "fluids.hpp"
