@@ -1,4 +1,5 @@
-// One scene for every reason that limits a time step but `acceleration`: the reason is the only one, or by far the shortest.
+// One scene for every reason that limits a time step but `acceleration`: the reason is the only one, or by far the
+// shortest.
 #pragma once
 
 #include "fluids.hpp"
