@@ -1,7 +1,7 @@
 // How long steps can be, and how far a scene can be pushed, before it goes wrong: a matrix of compositions and hard
 // cases, each bisected. Writes the tables of docs/stability.md between their markers.
 //
-//   build-benchmark/benchmarks/stability --write docs/stability.md       some minutes on one core
+//   build-benchmark/benchmarks/stability --write docs/stability.md       half an hour on one core
 //   build-benchmark/benchmarks/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
 //   build-benchmark/benchmarks/stability --part Limits                   a part of the tables, printed
 #include "stability/rows.hpp"
@@ -144,7 +144,7 @@ void write_frontiers(std::ostream& out, const std::vector<Frontier>& frontiers) 
 
 int main(int argc, char** argv) {
     std::string path, composition, scene, part;
-    double cfl = 0;
+    double cfl = 0, value = 0;
     bool trace = false;
     CLI::App app{"Bisects how long steps can be, and how far scenes can be pushed, before they go wrong."};
     app.add_option("--write", path, "the file whose tables are replaced; without it they are printed");
@@ -152,11 +152,17 @@ int main(int argc, char** argv) {
     app.add_option("--composition", composition, "only this one");
     app.add_option("--scene", scene, "only this one");
     app.add_option("--cfl", cfl, "one run with this CFL number instead of bisecting");
+    CLI::Option* const pushed =
+        app.add_option("--value", value, "with --cfl: what the scene is pushed by, in place of the table's");
     app.add_flag("--trace", trace, "print kinetic energy and indicators over time");
     CLI11_PARSE(app, argc, argv);
 
     if (!path.empty() && (!part.empty() || !composition.empty() || !scene.empty() || cfl > 0)) {
         std::fprintf(stderr, "stability: --write replaces all tables, so it goes with no choice of some of them\n");
+        return 2;
+    }
+    if (pushed->count() > 0 && !(cfl > 0)) {
+        std::fprintf(stderr, "stability: --value is for one run, so it goes with --cfl only\n");
         return 2;
     }
     Table table;
@@ -175,7 +181,8 @@ int main(int argc, char** argv) {
         if (cfl > 0) {
             for (const Row& row : table.rows)
                 if (wanted(row) && (part.empty() || part == row.part)) {
-                    const Outcome out = row.run({.cfl = cfl, .value = row.value, .trace = trace});
+                    const Outcome out =
+                        row.run({.cfl = cfl, .value = pushed->count() > 0 ? value : row.value, .trace = trace});
                     std::printf("%s, %s: %s%s; %lld steps, limited by %s; %s; energy drift %s\n",
                                 row.composition.c_str(), row.scene.c_str(),
                                 out.stable ? "stable" : "failed: ", out.message.c_str(), out.steps, out.limit.c_str(),

@@ -20,6 +20,17 @@ struct SoundCoupling {
     static void set(Contact& contact, const Fluid::Water& water) { Preset::set_coefficients(contact, water); }
 };
 
+/// The same as SpongeCase offers it: lists of neighbours that serve several steps; and with a body that is finer than
+/// the water, as the sponge's is (there 0.5 mm to 0.8).
+struct SoundCouplingAsOffered : SoundCoupling {
+    static constexpr const char* name = "sound sponge, neighbours for 4 steps";
+    static constexpr int search_interval = 4;
+};
+struct SoundCouplingFiner : SoundCouplingAsOffered {
+    static constexpr const char* name = "sound sponge twice as fine as the water, neighbours for 4 steps";
+    static constexpr double body_spacing = 0.5; // of the water's
+};
+
 /// The Riemann fluid on a total-Lagrangian solid.
 struct RiemannCoupling {
     static constexpr const char* name = "Riemann on St. Venant-Kirchhoff";
@@ -69,6 +80,22 @@ struct CoupledWith : C {
     using Fluid = Integrated<typename C::Fluid, With>;
 };
 
+/// The spacing of a composition's bodies, m, and the steps that its neighbours serve.
+template <class C>
+constexpr double body_spacing() {
+    if constexpr (requires { C::body_spacing; })
+        return C::body_spacing * dx;
+    else
+        return dx;
+}
+template <class C>
+constexpr int search_interval() {
+    if constexpr (requires { C::search_interval; })
+        return C::search_interval;
+    else
+        return 1;
+}
+
 template <class C, class Real, int dim = 2>
 using CoupledScene = sph::Solver<dim, Real, typename C::Fluid::Integrator, typename C::Fluid::Water, typename C::Body,
                                  typename C::Fluid::Tank, typename C::Contact, typename C::Fluid::Sides>;
@@ -77,18 +104,25 @@ template <class C, class Real, int dim = 2>
 CoupledScene<C, Real, dim> coupled_scene(double c) {
     CoupledScene<C, Real, dim> scene({.gravity = downwards<dim>(g),
                                       .support_radius = C::Fluid::support * dx,
+                                      .search_interval = search_interval<C>(),
                                       .threads = 1});
     const auto water = water_of<typename C::Fluid>(c);
     C::Fluid::set(scene.template coupling<typename C::Fluid::Sides>(), water);
     C::set(scene.template coupling<typename C::Contact>(), water);
     return scene;
 }
+/// Particles of a body that fill a box.
+template <class C, int dim>
+std::vector<sph::Point<dim>> body_points(const sph::Box<dim>& box) {
+    return sph::fill(box, body_spacing<C>());
+}
+/// @param points `body_spacing<C>()` apart
 template <class C, class Scene, class Points>
 auto add_body(Scene& scene, const Points& points, double E, double poisson, double density) {
     auto body = elastic<typename C::Body>(E, poisson, density);
-    body.support_radius = C::body_support * dx;
+    body.support_radius = C::body_support * body_spacing<C>();
     C::set(body);
-    return scene.add(body, points, dx);
+    return scene.add(body, points, body_spacing<C>());
 }
 
 /// Does a point have particles of a body on all sides of it, within 1.5 spacings? The directions to them add up to less
@@ -117,7 +151,7 @@ Outcome water_on_plate(const Plan& plan) {
     const double v = plan.value, c = 30;
     auto scene = coupled_scene<C, Real, dim>(c);
     constexpr double half = (dim == 2 ? 15 : 10) * dx;
-    const auto plate = add_body<C>(scene, sph::fill(box<dim>({-half, -5 * dx}, {half, 0}), dx), 1e6, 0.3, 950);
+    const auto plate = add_body<C>(scene, body_points<C>(box<dim>({-half, -5 * dx}, {half, 0})), 1e6, 0.3, 950);
     scene.hold(plate, [](const auto& x) { return std::abs(x[0]) > half - 3 * dx; });
     auto block = sph::fill(box<dim>({-half / 3, 0}, {half / 3, 2 * half / 3}), dx);
     for (auto& x : block)
@@ -144,7 +178,7 @@ template <class C, class Real = double>
 Outcome free_fall(const Plan& plan) {
     auto scene = coupled_scene<C, Real>(30);
     const auto water = add_water<typename C::Fluid>(scene, sph::fill(sph::Box<2>{{0, 0}, {8 * dx, 8 * dx}}, dx), 30);
-    const auto block = add_body<C>(scene, sph::fill(sph::Box<2>{{12 * dx, 0}, {18 * dx, 6 * dx}}, dx), 1e6, 0.3, 950);
+    const auto block = add_body<C>(scene, body_points<C>(sph::Box<2>{{12 * dx, 0}, {18 * dx, 6 * dx}}), 1e6, 0.3, 950);
     const double end = 0.02;
     const Watch<2> watch{
         .end = end,
@@ -169,7 +203,7 @@ Outcome block_on_pool(const Plan& plan) {
     auto scene = coupled_scene<C, Real, dim>(c);
     add_water<typename C::Fluid>(scene, pool<typename C::Fluid, dim>(wide, deep), c);
     add_tank<typename C::Fluid>(scene, box<dim>({0, 0}, {inner, inner}), c);
-    auto points = sph::fill(box<dim>({0, 0}, {8 * dx, 4 * dx}), dx);
+    auto points = body_points<C>(box<dim>({0, 0}, {8 * dx, 4 * dx}));
     for (auto& x : points)
         x += at<dim>(inner / 2 - 4 * dx, surface + off);
     const double density = 1000 * plan.value;
@@ -196,7 +230,7 @@ Outcome block_on_pool(const Plan& plan) {
             before = now;
             time = s.time();
         }
-        const double mass = density * static_cast<double>(points.size()) * sph::power<dim>(dx);
+        const double mass = density * static_cast<double>(points.size()) * sph::power<dim>(body_spacing<C>());
         return std::vector{std::abs(now) / mass / std::sqrt(g * deep * dx),
                            looks > 50 ? static_cast<double>(flips) / looks : 0};
     });

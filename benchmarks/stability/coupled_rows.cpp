@@ -74,6 +74,8 @@ void add_coupled(Table& table) {
     add<RiemannCoupling>(table, RiemannCoupling::name);
     add<PaperCoupling>(table, PaperCoupling::name);
     add<SoundCoupling, float, 3>(table, sph::text(SoundCoupling::name, ", 3D, float"));
+    add<SoundCouplingFiner>(table, SoundCouplingFiner::name);
+    add<SoundCouplingAsOffered, float, 3>(table, sph::text(SoundCouplingAsOffered::name, ", 3D, float"));
     add<PaperCouplingInSpace, float, 3>(table, sph::text(PaperCoupling::name, ", 3D, float"));
 }
 

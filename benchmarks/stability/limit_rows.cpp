@@ -51,6 +51,11 @@ void add_limits(Table& table) {
             water.set(sph::DensityDiffusionParameters{.delta = 1});
             return shaken_box(p, water, 2.6, moved);
         });
+        row("AntuonoDiffusion, delta = 1", box, [=](const Plan& p) {
+            auto water = liquid<Antuono>();
+            water.set(sph::AntuonoDiffusionParameters{.delta = 1});
+            return shaken_box(p, water, 2.6, moved);
+        });
         row("MorrisViscosity", box, [=](const Plan& p) { return shaken_box(p, liquid<Morris>(200), 2.6, moved); });
         row("ClearyViscosity", box, [=](const Plan& p) { return shaken_box(p, liquid<Cleary>(200), 2.6, moved); });
     }
@@ -66,6 +71,9 @@ void add_limits(Table& table) {
         [=](const Plan& p) { return shaken_box(p, liquid<CorrectedLiquid>(), 2.6, disorder); });
     row("NoSlipViscosity", "shaken box between plates",
         [](const Plan& p) { return shaken_channel<Morris, NoSlipPlates>(p, liquid<Morris>(200), 2.6); });
+    row("CorrectedNoSlipViscosity", "shaken box between plates", [](const Plan& p) {
+        return shaken_channel<CorrectedSyrup, CorrectedNoSlipPlates>(p, liquid<CorrectedSyrup>(200), 2.6);
+    });
     row("LaminarViscosity, H = 1.25", "shaken box",
         [](const Plan& p) { return shaken_box(p, liquid<Laminar>(200), 1.25); });
     row("LaminarViscosity, H = 2.6", "shaken box",
@@ -135,6 +143,12 @@ void add_limits(Table& table) {
         [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.3, 1.5); });
     row("StVenantKirchhoff, nu 0.499, H = 1.5", "shaken block in 3D",
         [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.499, 1.5); });
+    row("NeoHookean, nu 0.3, H = 2", "shaken block",
+        [](const Plan& p) { return shaken_block<2, Hookean::Body>(p, 0.3, 2.01); });
+    row("VolumetricDeviatoric, nu 0.499, H = 2", "shaken block",
+        [](const Plan& p) { return shaken_block<2, Averaged::Body>(p, 0.499, 2.01); });
+    row("PairwiseShearForce, nu 0.3, H = 2", "shaken block",
+        [](const Plan& p) { return shaken_block<2, ShearFromPairs>(p, 0.3, 2.01); });
     row("HourglassControl, alpha = 20", "shaken block", [](const Plan& p) {
         return shaken_block<2, Kirchhoff2>(p, 0.3, 2.01, sph::HourglassControlParameters{.alpha = 20});
     });

@@ -9,11 +9,14 @@
 #include <imbibe/coupling/surface_normal.hpp>
 #include <imbibe/fluid/cleary_viscosity.hpp>
 #include <imbibe/fluid/corrected_gradients.hpp>
+#include <imbibe/fluid/gradient_correction.hpp>
 #include <imbibe/fluid/particle_shifting.hpp>
 #include <imbibe/fluid/summation_relaxation.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
+#include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/time/dual_stepping.hpp>
+#include <imbibe/wall/corrected_no_slip.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/riemann_wall.hpp>
 
@@ -82,6 +85,7 @@ template <class... Terms>
 using Liquid = sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>, Terms...>;
 struct Sound : Liquid<> {};
 struct Diffusing : Liquid<sph::DensityDiffusion<C2>> {};
+struct Antuono : Liquid<sph::CurrentCorrection<C2>, sph::AntuonoDiffusion<C2>> {};
 struct Morris : Liquid<sph::MorrisViscosity<C2>> {};
 struct Cleary : Liquid<sph::ClearyViscosity<C2>> {};
 struct Laminar : Liquid<sph::LaminarViscosity<sph::ViscosityKernel2D>> {};
@@ -96,6 +100,9 @@ struct CorrectedSyrup : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>,
                                    sph::VolumePressure<C2>, sph::CorrectedViscosity<C2>> {};
 struct NoSlipPlates
     : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {};
+struct CorrectedNoSlipPlates
+    : sph::Coupling<CorrectedSyrup, Plates, sph::Into<CorrectedSyrup, sph::CorrectionNeighbours<C2>>,
+                    sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::CorrectedNoSlipViscosity<C2>> {};
 struct RiemannPlates : sph::Coupling<Sound, Plates, sph::Into<Sound, sph::RiemannWallNormal<C2>>,
                                      sph::RiemannWallPressure<C2>, sph::Into<Sound, sph::RiemannWallContinuity<C2>>> {};
 
@@ -141,6 +148,9 @@ Outcome shaken_sheet(const Plan& plan, double rough) {
     const auto sheet = scene.add(body, sph::jitter<dim>(flat, rough * spacing, 7), spacing);
     return march_shaken<dim>(scene, sheet, 1e-4 * body.longitudinal_wave_speed(), plan);
 }
+
+struct ShearFromPairs : sph::Solid<sph::ReferenceCorrection<C2>, sph::DeformationGradient<C2>,
+                                   sph::PairwiseShearForce<C2>, sph::TotalLagrangianViscosity<C2>> {};
 
 struct Gas : Liquid<> {};
 struct SoundMeetsGas : sph::Coupling<Sound, Gas, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>> {};

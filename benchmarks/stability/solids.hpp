@@ -217,12 +217,18 @@ Outcome twisted_column(const Plan& plan) {
         view[sph::velocity].row(i) << static_cast<Real>(-omega * x[1]), static_cast<Real>(omega * x[0]), 0;
     }
     const Roughness rough(points, spacing);
-    const Watch<3> watch{.end = 0.09,
-                         .guard = {.energy = 0.05},
-                         .signs = {{"roughness of the displacement, spacings", 0.3}},
-                         .every = 50,
-                         .expected_steps = 0.09 * body.longitudinal_wave_speed() / spacing};
-    return march(scene, plan, watch, [&](const auto& s) { return std::vector{rough(s[column])}; });
+    AlternatingMeanStress alternating(points, spacing, [](const auto& x) { return x[2] > 0; });
+    const double end = 0.09;
+    const Watch<3> watch{
+        .end = end,
+        .guard = {.energy = 0.05},
+        .signs = {{"roughness of the displacement, spacings", 0.3}, {"share of the mean stress that alternates", 0.5}},
+        .every = 50,
+        .expected_steps = end * body.longitudinal_wave_speed() / spacing};
+    return march(scene, plan, watch, [&](const auto& s) {
+        const double share = s.steps() > 0 ? alternating(s[column]) : 0;
+        return std::vector{rough(s[column]), s.time() >= end ? share : 0};
+    });
 }
 
 } // namespace stability
