@@ -229,9 +229,13 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                 throw StoppedByUser{};
             }
             guard(s);
-            if (checkpoints.due(s))
-                guard.look(s);
-            with_files([&] { checkpoints(s, keep_notes); });
+            with_files([&] {
+                checkpoints(s, keep_notes, [&](const auto& now) { // a bad one is not written
+                    writing = false;
+                    guard.look(now);
+                    writing = true;
+                });
+            });
             if (s.steps() == 0) // so that there is always one to go back to
                 write();
         });

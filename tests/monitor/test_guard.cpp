@@ -32,6 +32,19 @@ Pool pool() {
 }
 const sph::PhaseHandle<Water> water{};
 
+/// A field of a program's own that nothing but its own term reads.
+struct Temperature : sph::Field<sph::Rank::scalar> {
+    static constexpr std::string_view name = "temperature", unit = "K";
+    static constexpr std::string_view rate_name = "temperature_rate", rate_unit = "K/s";
+};
+inline constexpr Temperature temperature{};
+struct Cooling {
+    using reads = sph::Fields<temperature>;
+    using adds = sph::Fields<sph::Rate<Temperature>{}>;
+    constexpr auto operator()(const auto& a) const { return -1.0 * a[temperature]; }
+};
+struct WarmWater : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, Cooling> {};
+
 /// The Diverged that `run` throws.
 template <class Run>
 sph::Diverged thrown_by(const Run& run) {
@@ -141,6 +154,18 @@ TEST_CASE("A guard names the particle that is wrong", "[guard]") {
         const auto error = thrown_by([&] { guard.look(scene); });
         CHECK(error.cause == sph::Cause::not_finite);
         CHECK_THAT(error.what(), contains("particle " + id) && contains("velocity"));
+    }
+    SECTION("not a number, in a field that nothing else reads") {
+        sph::Solver<2, float, sph::SymplecticEuler, WarmWater> warm({.support_radius = 2.6 * dx});
+        const auto phase = warm.add(WarmWater{{.density = 1000, .sound_speed = 40}},
+                                    sph::fill(sph::Box<2>({0, 0}, {0.4, 0.6}), dx), dx);
+        warm[phase][temperature].setConstant(300);
+        warm.step();
+        guard.look(warm);
+        warm[phase][temperature](7) = std::numeric_limits<float>::infinity();
+        const auto error = thrown_by([&] { guard.look(warm); });
+        CHECK(error.cause == sph::Cause::not_finite);
+        CHECK_THAT(error.what(), contains("has a temperature that is not finite"));
     }
     SECTION("not a number, at a glance") {
         view[sph::velocity](i + 1, 0) = 70; // the fastest is another one

@@ -185,12 +185,13 @@ def check_advice_of_the_paper(folder):
     check(said.count("Warning: Water: the support radius") == 1, "a warning is to be said once:", said)
 
 
-def check_ctrl_c(folder):
+def check_asked_to_stop(folder, by):
+    """By Ctrl-C, or as a system that shuts down asks."""
     process = subprocess.Popen([SPONGE, "--quick", "--snapshots", "0", "--threads", "1", "--output", folder],
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     while not (folder / "checkpoint").exists() and process.poll() is None:
         time.sleep(0.1)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(by)
     said, _ = process.communicate(timeout=300)
     check(process.returncode == 1 and "Stopped at t = " in said and "--restart goes on from here" in said, said)
     check("BROKE" not in said, "what the user stops is not broken:", said)
@@ -282,7 +283,8 @@ with tempfile.TemporaryDirectory() as name:
     check_full_disk(root / "full")
     check_accuracy(root / "draft")
     check_advice_of_the_paper(root / "paper")
-    check_ctrl_c(root / "interrupted")
+    check_asked_to_stop(root / "interrupted", signal.SIGINT)
+    check_asked_to_stop(root / "terminated", signal.SIGTERM)
     check_study(root / "study")
     check_claims(root / "claims")
     check_repeats(root / "repeats")

@@ -184,6 +184,26 @@ TEST_CASE("The checkpoint before is kept, and a full disk leaves both", "[checkp
     auto earlier = make<float>();
     sph::read_checkpoint(earlier, path.string() + ".previous");
     CHECK(earlier.steps() == 10);
+    CHECK_FALSE(std::filesystem::exists(path.string() + ".previous.tmp"));
+}
+
+TEST_CASE("Where the checkpoint before cannot be kept no new one is written", "[checkpoint]") {
+    const auto folder = output_test::fresh("checkpoint_not_kept"), path = folder / "run";
+    auto scene = make<float>();
+    run(scene, 10);
+    sph::write_checkpoint(scene, path);
+    const auto first = output_test::content(path);
+    std::filesystem::create_directories(folder / "run.previous" / "in the way");
+    run(scene, 10);
+    REQUIRE_THROWS_WITH(sph::write_checkpoint(scene, path), imbibe_test::contains("cannot keep the checkpoint"));
+    CHECK((output_test::content(path) == first));
+    int files = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder))
+        ++files;
+    CHECK(files == 2); // none that is half done
+    std::filesystem::remove_all(folder / "run.previous");
+    sph::write_checkpoint(scene, path);
+    CHECK((output_test::content(folder / "run.previous") == first));
 }
 
 TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays", "[checkpoint]") {

@@ -21,7 +21,7 @@ add_test(NAME output_pictures
 set_tests_properties(output_read_vtk output_pictures PROPERTIES
     LABELS unit TIMEOUT 600 FIXTURES_REQUIRED output_files)
 
-# The example itself, some steps of it; the small ones, each once; and, which takes minutes, a hundred kills. Label
+# The example itself, some steps of it; the small ones, each once; four kills and, which takes minutes, a hundred. Label
 # `examples`: not in the default command, because the sponge takes a compiler long.
 if(TARGET sponge)
     add_test(NAME run_sponge
@@ -30,6 +30,10 @@ if(TARGET sponge)
     add_test(NAME run_examples
         COMMAND python3 ${CMAKE_CURRENT_SOURCE_DIR}/output/run_examples.py $<TARGET_FILE_DIR:sponge>)
     set_tests_properties(run_examples PROPERTIES LABELS examples TIMEOUT 1800)
+    add_test(NAME kill_sponge_briefly
+        COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/long/kill_sponge.py $<TARGET_FILE:sponge>
+            --kills 4 --case "sound, float")
+    set_tests_properties(kill_sponge_briefly PROPERTIES LABELS examples TIMEOUT 1800)
     add_test(NAME kill_sponge
         COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/long/kill_sponge.py $<TARGET_FILE:sponge>)
     set_tests_properties(kill_sponge PROPERTIES LABELS validation TIMEOUT 7200)

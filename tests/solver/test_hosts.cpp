@@ -419,6 +419,20 @@ TEST_CASE("What is doubtful about a scene is said before its first step", "[host
         check_warning(layers(3 * dx), "Water and Oil have support radii of 0.13 and 0.15 m");
         CHECK(layers(2.6 * dx).empty());
     }
+    SECTION("coordinates of which float has not enough digits") {
+        const auto at = []<class Real>(Real, double x, const std::array<double, 2>& origin) {
+            auto s = settings();
+            s.origin = origin;
+            sph::Solver<2, Real, sph::SymplecticEuler, Water> scene(s);
+            scene.add(water, block(x, 0, 0.5, 0.5), dx);
+            scene.prepare();
+            return scene.warnings();
+        };
+        check_warning(at(0.F, 600, {}), "Settings::origin = (600.2");
+        CHECK(at(0., 600, {}).empty());
+        CHECK(at(0.F, 600, {590, 0}).empty());
+        CHECK(at(0.F, 400, {}).empty());
+    }
     SECTION("a wall that the water does not see") {
         const auto beside = [](double gap) {
             sph::Solver<2, double, sph::SymplecticEuler, Water, Tank> scene(settings());

@@ -59,7 +59,7 @@ private:
     template <class Scene>
     void look_at_particles(const Scene& scene) {
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
-            look_at(scene, scene[PhaseHandle<P>{}], name_of<P>(scene), P::moves);
+            look_at<P>(scene, scene[PhaseHandle<P>{}], name_of<P>(scene));
         });
         scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
         look_at_energy(scene);
@@ -102,8 +102,8 @@ private:
         return detail::name_among<P>(typename Scene::Phases{});
     }
 
-    template <class Scene, class View>
-    void look_at(const Scene& scene, const View& phase, const std::string& name, bool moves) const {
+    template <class P, class Scene, class View>
+    void look_at(const Scene& scene, const View& phase, const std::string& name) const {
         if (phase.size() == 0)
             return;
         using State = std::remove_cvref_t<decltype(phase.state)>;
@@ -111,7 +111,8 @@ private:
         require_finite(scene, phase, name, x, "position");
         if constexpr (State::template stores<Velocity>)
             require_finite(scene, phase, name, phase[velocity], "velocity");
-        for (int d = 0; d < dim && moves; ++d) { // walls may reach out of the domain that they enclose
+        require_finite_states(scene, phase, name, typename Scene::template FieldsOf<P>{});
+        for (int d = 0; d < dim && P::moves; ++d) { // walls may reach out of the domain that they enclose
             const auto k = static_cast<std::size_t>(d);
             if (scene.settings().periodic_length[k] > 0)
                 continue;
@@ -130,7 +131,6 @@ private:
         }
         if constexpr (State::template stores<Density>) {
             const auto rho = phase[density];
-            require_finite(scene, phase, name, rho, "density");
             const double rest = phase.material().density;
             Eigen::Index low = 0, high = 0;
             const double least = static_cast<double>(rho.col(0).minCoeff(&low)) / rest;
@@ -143,9 +143,19 @@ private:
             }
         }
     }
+    // All that is given or integrated, a program's own fields among them: what nothing else reads would not show.
+    template <class Scene, class View, class... F>
+    void require_finite_states(const Scene& scene, const View& phase, const std::string& name,
+                               TypeList<F...> fields) const {
+        const auto look = [&]<class One>(One field) {
+            if constexpr (One::given || detail::contains<Rate<One>, decltype(fields)>)
+                require_finite(scene, phase, name, phase[field], One::name);
+        };
+        (look(F{}), ...);
+    }
     template <class Scene, class View, class Field>
     void require_finite(const Scene& scene, const View& phase, const std::string& name, const Field& field,
-                        const char* what) const {
+                        std::string_view what) const {
         if (field.allFinite())
             return;
         int i = 0;

@@ -154,6 +154,30 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
     }
 }
 
+/// Gives a checkpoint, if there is one, a second name, or a copy where the disk knows no second names. The one that had
+/// the name is there until then. Throws Error where that fails: there would be nothing to fall back on.
+inline void keep_as_previous(const std::filesystem::path& checkpoint, const std::filesystem::path& previous) {
+    std::error_code error;
+    if (!std::filesystem::exists(checkpoint, error))
+        return;
+    const std::filesystem::path fresh = previous.string() + ".tmp";
+    std::filesystem::remove(fresh, error); // of a program that was killed here
+    std::filesystem::create_hard_link(checkpoint, fresh, error);
+    if (error) {
+        error.clear();
+        std::filesystem::copy_file(checkpoint, fresh, error);
+    }
+    if (!error)
+        std::filesystem::rename(fresh, previous, error);
+    if (error) {
+        std::error_code ignored;
+        std::filesystem::remove(fresh, ignored);
+        throw Error(text("cannot keep the checkpoint ", checkpoint.string(), " as ", previous.string(), ": ",
+                         error.message(), "; it stays, and no new one is written"));
+    }
+    std::filesystem::remove(fresh, error); // is there still where both names were of one file already
+}
+
 /// A whole checkpoint, from its title to its checksum.
 template <class Scene>
 std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
@@ -196,13 +220,7 @@ void write_checkpoint(Scene& scene, const std::filesystem::path& path, const Che
 
     AtomicFile file(path);
     file.write(bytes.data(), bytes.size());
-    file.commit_to_disk([&] {
-        std::error_code ignored; // where there was none before, or no second name is possible
-        std::filesystem::remove(path.string() + ".previous", ignored);
-        std::filesystem::create_hard_link(file.path(), path.string() + ".previous", ignored);
-        if (ignored)
-            std::filesystem::copy_file(path, path.string() + ".previous", ignored);
-    });
+    file.commit_to_disk([&] { detail::keep_as_previous(file.path(), path.string() + ".previous"); });
 }
 
 namespace detail {
@@ -295,16 +313,23 @@ public:
         (*this)(scene, [] { return CheckpointNotes{}; });
     }
     /// The same with the program's own numbers, which `notes()` returns. True if a checkpoint was written.
-    template <class Scene, class Notes>
-    bool operator()(Scene& scene, const Notes& notes) {
+    /// @param look called before one is written, to throw where the scene is no good one: `Guard::look`
+    template <class Scene, class Notes, class Look>
+    bool operator()(Scene& scene, const Notes& notes, const Look& look) {
         const bool now = due(scene);
         if (now) {
+            look(scene);
             write_checkpoint(scene, path_, notes());
             written_ = Clock::now();
         }
         if (now || !written_at_ || scene.time() < *written_at_) // the scene may have gone back
             written_at_ = scene.time();
         return now;
+    }
+    /// The same without a look.
+    template <class Scene, class Notes>
+    bool operator()(Scene& scene, const Notes& notes) {
+        return (*this)(scene, notes, [](const Scene&) {});
     }
 
 private:

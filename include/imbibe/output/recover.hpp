@@ -51,9 +51,9 @@ void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::fil
             of_observer = false;
         };
     };
-    const auto look_if_due = [&](Scene& s) {
-        if (checkpoints.due(s))
-            guard.look(s);
+    const auto checkpoint_if_due = [&](Scene& s) {
+        checkpoints(
+            s, [] { return CheckpointNotes{}; }, [&](const Scene& now) { guard.look(now); });
     };
     // Out of retries: the error goes on, as what it is.
     const auto go_back = [&](const auto& error) {
@@ -72,7 +72,7 @@ void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::fil
     const auto kept = [&] { return keep_offending_state(scene, checkpoint.string() + ".broken"); };
     for (;;)
         try {
-            scene.run_until(end, guard, watched(observers)..., look_if_due, watched(checkpoints));
+            scene.run_until(end, guard, watched(observers)..., watched(checkpoint_if_due));
             return;
         } catch (const Diverged& found) {
             go_back(Diverged(found.what() + kept(), found.cause, found.phase, found.position, found.time, found.steps));

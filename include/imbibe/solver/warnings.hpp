@@ -1,5 +1,6 @@
 // What is doubtful about a scene, said before it runs: a support that is too narrow, phases that overlap or do not see
-// each other, a fluid that its own weight compresses, a solid that is nearly incompressible.
+// each other, a fluid that its own weight compresses, a solid that is nearly incompressible, coordinates that float
+// does not hold.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -161,6 +163,36 @@ std::string warning_of_soft_fluid(const Engine& engine) {
     return {};
 }
 
+/// A sentence if a scene in float lies so far from its origin that forces lose digits which they have near it, or an
+/// empty one. A scene that is itself as wide as that is not helped by another origin.
+/// @param engine after a search, @param origin of its coordinates, m
+template <class Engine, class Origin>
+std::string warning_of_far_origin(const Engine& engine, const Origin& origin) {
+    constexpr int dim = Engine::dimension;
+    Point<dim> lower = Point<dim>::Constant(std::numeric_limits<double>::infinity()), upper = -lower, centre;
+    double spacing = std::numeric_limits<double>::infinity();
+    engine.for_each_phase([&](auto, const auto& s) {
+        using Real = std::remove_cvref_t<decltype(*s.points().x[0])>;
+        if (!std::is_same_v<Real, float> || s.size() == 0)
+            return;
+        spacing = std::min(spacing, s.material.spacing);
+        for (int d = 0; d < dim; ++d) {
+            lower[d] = std::min(lower[d], static_cast<double>(s.bounds.lower[static_cast<std::size_t>(d)]));
+            upper[d] = std::max(upper[d], static_cast<double>(s.bounds.upper[static_cast<std::size_t>(d)]));
+        }
+    });
+    if (!std::isfinite(spacing))
+        return {};
+    const double away = std::max(lower.cwiseAbs().maxCoeff(), upper.cwiseAbs().maxCoeff());
+    if (away < 1e4 * spacing || away < 2 * (upper - lower).maxCoeff())
+        return {};
+    for (int d = 0; d < dim; ++d)
+        centre[d] = 0.5 * (lower[d] + upper[d]) + origin[static_cast<std::size_t>(d)];
+    return text("coordinates reach ", away, " m from the origin, ", away / spacing, " spacings, and float has seven ",
+                "digits: forces are wrong by about ", 2e-7 * away / spacing, ". Take an origin among the particles, ",
+                "such as Settings::origin = ", point_text<dim>(centre), ", or double");
+}
+
 /// A sentence if two fluids that meet have different support radii, or an empty one.
 template <class C, class Engine>
 std::string warning_of_other_support(const Engine& engine) {
@@ -221,6 +253,7 @@ void note_doubts_of_scene(Warnings& warnings, const Engine& engine, const Origin
         if constexpr (std::is_same_v<typename L::A, typename L::B>)
             warnings.note(warning_of_other_spacing(link, engine));
     });
+    warnings.note(warning_of_far_origin(engine, origin));
     (warnings.note(warning_of_other_support<C>(engine)), ...);
     (warnings.note(warning_of_no_continuity<C, typename C::First>(engine)), ...);
     (warnings.note(warning_of_no_continuity<C, typename C::Second>(engine)), ...);

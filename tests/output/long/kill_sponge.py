@@ -4,7 +4,7 @@ what one uninterrupted run leaves: the same bytes in the table, the last checkpo
 for the sound composition in float, the same in double, and the paper's composition; runs that are killed compute with
 two threads, the one that they are compared with with one.
 
-    python3 tests/output/long/kill_sponge.py build/sponge [--kills 100] [--seed 1]
+    python3 tests/output/long/kill_sponge.py build/sponge [--kills 100] [--seed 1] [--case "sound, float"]
 
 After each kill every file that carries its final name must be whole; the run goes on from its checkpoint or, three times
 out of ten where there are two, from the one before, so that both are read. Before that
@@ -152,13 +152,15 @@ def main():
     parser.add_argument("sponge")
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--case", choices=CASES, help="this one only")
     options = parser.parse_args()
     chance = random.Random(options.seed)
 
+    cases = {options.case: CASES[options.case]} if options.case else CASES
     killed = runs = fresh_starts = 0
-    for number, (name, case) in enumerate(CASES.items()):
+    for number, (name, case) in enumerate(cases.items()):
         print(name, flush=True)
-        left = -(-(options.kills - killed) // (len(CASES) - number))
+        left = -(-(options.kills - killed) // (len(cases) - number))
         with tempfile.TemporaryDirectory() as scratch:
             counts = try_case([options.sponge, *case], left, chance, Path(scratch))
         killed, runs, fresh_starts = killed + counts[0], runs + counts[1], fresh_starts + counts[2]
