@@ -2,6 +2,8 @@
 // for a part of its time, or not at all where the test names others that run the same loops.
 #pragma once
 
+#include <cstdio>
+
 namespace imbibe_test {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -15,5 +17,12 @@ inline constexpr bool sanitized = false;
 #else
 inline constexpr bool sanitized = false;
 #endif
+
+/// Is a test, or the rest of it, left out where it takes too long with a sanitizer? Says so, and why.
+inline bool left_out(const char* why) {
+    if (sanitized)
+        std::printf("left out with a sanitizer: %s\n", why);
+    return sanitized;
+}
 
 } // namespace imbibe_test

@@ -12,8 +12,9 @@ using stability::SoundCoupling;
 using stability::WeaklyCompressible;
 
 TEST_CASE("In space water that is shaken comes to rest, and still water stays still", "[stability]") {
-    if (imbibe_test::sanitized)
-        return; // half an hour; the block below runs the same loops (in double: in the plane, test_gauntlet_fluids.cpp)
+    if (imbibe_test::left_out(
+            "half an hour; the block below runs the same loops (in double: in the plane, test_gauntlet_fluids.cpp)"))
+        return;
     check_preset_in_space(stability::shaken_water<WeaklyCompressible, float, 3>);
     check_preset_in_space(stability::still_water<WeaklyCompressible, float, 3>); // rows 5 and 20
     check_stable(stability::still_water<WeaklyCompressible, double, 3>, 0.4, 0);
@@ -44,8 +45,8 @@ TEST_CASE("In space a spinning cube of water stays free of clumps and voids", "[
 }
 
 TEST_CASE("In space water falls on a plate, and a light block is let go on a pool", "[stability]") { // row 8
-    if (imbibe_test::sanitized)
-        return; // half an hour; the sponge's tests run the same loops
+    if (imbibe_test::left_out("half an hour; the sponge's tests run the same loops"))
+        return;
     check_preset_in_space(stability::water_on_plate<SoundCoupling, float, 3>, 1);
     check_preset_in_space(stability::block_on_pool<SoundCoupling, float, 3>, 0.05);
 }
