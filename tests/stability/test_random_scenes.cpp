@@ -68,7 +68,8 @@ void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried)
         *chosen.number = nonsense(dice);
         must_be_refused = chosen.used;
     }
-    CAPTURE(seed, spacing, support, water_density, body_density, gravity, c, poisson, E, viscosity, has_water, has_body,
+    const double share = dice.once_in(2) ? 0.5 : 1; // of the water's spacing and support: those of the body
+    CAPTURE(seed, spacing, support, share, water_density, body_density, gravity, c, poisson, E, viscosity, has_water, has_body,
             spoilt, overlapping);
     using Scene = CoupledScene<C, Real, dim>;
     bool started = false;
@@ -95,12 +96,13 @@ void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried)
         if (has_body) {
             auto body = elastic<typename C::Body>(E, poisson, body_density);
             C::set(body);
+            body.support_radius = share * given_support;
             const double foot = depth + spacing + 2 * off;
-            auto points = sph::fill(box<dim>({2 * spacing, foot}, {7 * spacing, foot + 4 * spacing}), spacing);
+            auto points = sph::fill(box<dim>({2 * spacing, foot}, {7 * spacing, foot + 4 * spacing}), share * spacing);
             if (overlapping)
                 points.push_back(points.front());
-            block = scene.add(body, points, given_spacing);
-            rough.emplace(points, given_spacing);
+            block = scene.add(body, points, share * given_spacing);
+            rough.emplace(points, share * given_spacing);
             scene[*block][sph::velocity].col(1).setConstant(static_cast<Real>(-std::sqrt(gravity * depth)));
         }
         scene.prepare();
