@@ -4,6 +4,7 @@
 
 using namespace gauntlet;
 using stability::DamBreak;
+using stability::Paper;
 using stability::Riemann;
 using stability::WeaklyCompressible;
 
@@ -32,6 +33,15 @@ TEST_CASE("A block of water hits a floor", "[stability]") { // row 7
 TEST_CASE("A spinning square of water stays free of clumps and voids", "[stability]") { // rows 1 and 6
     check_preset(stability::spinning_square<WeaklyCompressible>);
     check_preset(stability::spinning_square<WeaklyCompressible, double, true>);
+}
+
+TEST_CASE("What opens a void in the paper's spinning square is its narrow support", "[stability]") { // row 6
+    struct Wide : Paper {
+        static constexpr double support = 2.6;
+    };
+    const Outcome narrow = stability::spinning_square<Paper, double, true>({.cfl = 0.4});
+    CHECK(narrow.cause == narrow.signs[0].name);
+    check_stable(stability::spinning_square<Wide, double, true>, 0.4, 0);
 }
 
 TEST_CASE("A drop splashes into a pool", "[stability]") { // row 19
