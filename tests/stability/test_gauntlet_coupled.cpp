@@ -5,9 +5,11 @@
 using namespace gauntlet;
 using stability::PaperCoupling;
 using stability::SoundCoupling;
+using stability::SoundCouplingFiner;
 
 TEST_CASE("Water falls on an elastic plate", "[stability]") {
     check_preset(stability::water_on_plate<SoundCoupling>, 1);
+    check_preset(stability::water_on_plate<SoundCouplingFiner>, 1);
     check_noticed(stability::water_on_plate<SoundCoupling>, 1);
     check_noticed(stability::water_on_plate<PaperCoupling>, 1);
 }
@@ -15,6 +17,8 @@ TEST_CASE("Water falls on an elastic plate", "[stability]") {
 TEST_CASE("A block much lighter or heavier than water is let go on a pool", "[stability]") { // row 8
     for (const double density : {10.0, 3.0, 0.1, 0.05, 0.02}) // asked for: 10 to 0.05; docs/stability.md goes further
         check_preset(stability::block_on_pool<SoundCoupling>, density);
+    for (const double density : {10.0, 1.0, 0.1})
+        check_preset(stability::block_on_pool<SoundCouplingFiner>, density);
     check_preset(stability::block_on_pool<SoundCoupling, float>, 10);
     check_margin(stability::block_on_pool<PaperCoupling>, 10);
 }

@@ -34,9 +34,15 @@ TEST_CASE("A nearly incompressible beam has a checkerboard, unless its volumes a
     }
 }
 
+TEST_CASE("A solid shaken particle by particle does not gain energy", "[stability]") {
+    check_preset(stability::shaken_solid<Hookean>, 0.3);
+    check_preset(stability::shaken_solid<Hookean, float>, 0.45);
+}
+
 TEST_CASE("A column is twisted by a revolution and stays smooth", "[stability]") { // row 9
     check_preset(stability::twisted_column<Hookean>, 0.45);
     check_preset(stability::twisted_column<Hookean>, 0.499);
+    check_margin(stability::twisted_column<Averaged>, 0.499);
 }
 
 TEST_CASE("A plate spins without losing its angular momentum", "[stability]") { // row 14
