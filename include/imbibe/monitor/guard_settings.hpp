@@ -15,7 +15,7 @@ namespace imbibe {
 
 /// What a guard found.
 enum class Cause {
-    not_finite,    ///< a position, velocity or density is not a finite number
+    not_finite,    ///< a field that is given or integrated, such as a position, is not a finite number
     too_fast,      ///< a particle is faster than sound
     wrong_density, ///< a density is out of bounds
     left_domain,   ///< a particle is outside the domain
