@@ -9,10 +9,24 @@
 
 namespace guard_test {
 
-namespace {
-
 namespace sph = imbibe;
 using K = sph::WendlandC2;
+
+/// A field of a program's own that nothing but its own term reads.
+struct Temperature : sph::Field<sph::Rank::scalar> {
+    static constexpr std::string_view name = "temperature", unit = "K";
+    static constexpr std::string_view rate_name = "temperature_rate", rate_unit = "K/s";
+};
+inline constexpr Temperature temperature{};
+struct Cooling {
+    using reads = sph::Fields<temperature>;
+    using adds = sph::Fields<sph::Rate<Temperature>{}>;
+    constexpr auto operator()(const auto& a) const { return -1.0 * a[temperature]; }
+};
+struct WarmWater : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, Cooling> {};
+
+namespace {
+
 using imbibe_test::contains;
 
 struct Water
@@ -31,19 +45,6 @@ Pool pool() {
     return scene;
 }
 const sph::PhaseHandle<Water> water{};
-
-/// A field of a program's own that nothing but its own term reads.
-struct Temperature : sph::Field<sph::Rank::scalar> {
-    static constexpr std::string_view name = "temperature", unit = "K";
-    static constexpr std::string_view rate_name = "temperature_rate", rate_unit = "K/s";
-};
-inline constexpr Temperature temperature{};
-struct Cooling {
-    using reads = sph::Fields<temperature>;
-    using adds = sph::Fields<sph::Rate<Temperature>{}>;
-    constexpr auto operator()(const auto& a) const { return -1.0 * a[temperature]; }
-};
-struct WarmWater : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, Cooling> {};
 
 /// The Diverged that `run` throws.
 template <class Run>
