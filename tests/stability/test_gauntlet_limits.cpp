@@ -13,12 +13,28 @@ namespace {
 
 using stability::Row;
 
-// Those of which docs/stability.md says why they are longer or shorter than what holds.
-constexpr std::array explained_as_short{"Tait<7>, Spiky, H = 1.25",       "DensityFloor, rate = 20",
-                                        "SummationFloor, rate = 20",      "paper's hypoelastic, nu 0.3",
-                                        "KernelRepulsion within a phase", "ParticleShifting, H = 2.6",
-                                        "ParticleShifting, H = 3",        "ParticleShifting, H = 4"};
-constexpr std::array explained_as_long{"LinearState, WendlandC2, H = 1.25, rough"};
+// What shares of a predicted limit hold and do not hold: it is within a factor of 1.5 on the safe side, both to the 4 %
+// to which docs/stability.md bisects, but where that page says why it is not.
+struct Shares {
+    std::string_view composition;
+    double hold = 1 / 1.04, fail = 1.5 * 1.04; // 0: nothing up to 4 was found to fail
+};
+constexpr std::array explained{Shares{.composition = "LinearState, WendlandC2, H = 1.25, rough", .hold = 0.4},
+                               Shares{.composition = "a spring to the origin", .hold = 0.9},
+                               Shares{.composition = "Tait<7>, Spiky, H = 1.25", .fail = 3},
+                               Shares{.composition = "paper's hypoelastic, nu 0.3", .fail = 2.1},
+                               Shares{.composition = "KernelRepulsion within a phase", .fail = 1.7},
+                               Shares{.composition = "DensityFloor, rate = 20", .fail = 0},
+                               Shares{.composition = "SummationFloor, rate = 20", .fail = 0},
+                               Shares{.composition = "ParticleShifting, H = 2.6", .fail = 0},
+                               Shares{.composition = "ParticleShifting, H = 3", .fail = 0},
+                               Shares{.composition = "ParticleShifting, H = 4", .fail = 0}};
+
+Shares shares_of(std::string_view composition) {
+    const auto known = std::find_if(explained.begin(), explained.end(),
+                                    [&](const Shares& it) { return it.composition == composition; });
+    return known == explained.end() ? Shares{composition} : *known;
+}
 
 // Each of these limits some scene.
 constexpr std::array reasons{"sound",
@@ -42,13 +58,9 @@ constexpr std::array reasons{"sound",
                              "summation relaxation",
                              "particle shifting"};
 
-bool is_among(const auto& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 } // namespace
 
-TEST_CASE("every predicted limit holds, and steps 1.6 times as long do not; so with what scenes say themselves") {
+TEST_CASE("every predicted limit holds, and steps 1.5 times as long do not; so with what scenes say themselves") {
     stability::Table table;
     stability::add_limits(table);
     int predicted = 0, asked_of = 0;
@@ -60,8 +72,8 @@ TEST_CASE("every predicted limit holds, and steps 1.6 times as long do not; so w
             limited_by.insert(out.limit);
             return out.stable;
         };
-        if (!is_among(explained_as_long, row.composition))
-            CHECK(at(0.9));
+        const Shares share = shares_of(row.composition);
+        CHECK(at(share.hold));
         // What the scene says itself, for which no limit of a term counts; beyond 4 nothing was bisected.
         if (const double asked = row.run({.cfl = 0.4, .value = row.value, .ask = true}).asked; asked > 0 && asked < 4) {
             CAPTURE(asked);
@@ -69,12 +81,12 @@ TEST_CASE("every predicted limit holds, and steps 1.6 times as long do not; so w
             CHECK_FALSE(at(2.2 * asked));
             ++asked_of;
         }
-        if (!is_among(explained_as_short, row.composition)) {
-            CHECK_FALSE(at(1.6));
+        if (share.fail > 0) {
+            CHECK_FALSE(at(share.fail));
             ++predicted;
         }
     }
-    CHECK(predicted > 30);
+    CHECK(predicted > 60);
     CHECK(asked_of > 40);
     for (const char* reason : reasons) {
         CAPTURE(reason);
