@@ -7,6 +7,13 @@ using stability::Averaged;
 using stability::Hookean;
 using stability::Hypoelastic;
 
+namespace {
+/// The solid of the preset with nothing against what its gradients do not see.
+struct WithoutControl : Hookean {
+    static void set(Body& body) { body.set(imbibe::HourglassControlParameters{.alpha = 0}); }
+};
+} // namespace
+
 TEST_CASE("Bars are stretched and come back", "[stability]") { // row 1
     check_preset(stability::stretched_bar<Hookean>, 0.15);
     check_margin(stability::stretched_bar<Hypoelastic>, 0.1);
@@ -43,6 +50,13 @@ TEST_CASE("A column is twisted by a revolution and stays smooth", "[stability]")
     check_preset(stability::twisted_column<Hookean>, 0.45);
     check_preset(stability::twisted_column<Hookean>, 0.499);
     check_margin(stability::twisted_column<Averaged>, 0.499);
+}
+
+TEST_CASE("Without control of zero-energy modes a twisted column is twice as rough", "[stability]") { // row 3
+    const Outcome held = stability::twisted_column<Hookean>({.cfl = 0.4, .value = 0.45}),
+                  left = stability::twisted_column<WithoutControl>({.cfl = 0.4, .value = 0.45});
+    REQUIRE(held.signs[0].name == "roughness of the displacement, spacings");
+    CHECK(left.signs[0].worst > 2 * held.signs[0].worst);
 }
 
 TEST_CASE("A plate spins without losing its angular momentum", "[stability]") { // row 14
