@@ -2,18 +2,22 @@
 // on with steps half as long, and its table shows nothing of the detour.
 //
 //   build/guide_go_back
-#include <imbibe/imbibe.hpp>
+#include <imbibe/geometry/box.hpp>
+#include <imbibe/geometry/fill.hpp>
+#include <imbibe/geometry/tank.hpp>
+#include <imbibe/monitor/guard.hpp>
+#include <imbibe/monitor/progress.hpp>
+#include <imbibe/output/recover.hpp>
+#include <imbibe/output/table.hpp>
+#include <imbibe/presets/sound_water.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 namespace sph = imbibe;
-using K = sph::WendlandC2;
-
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
-struct Tank : sph::Wall<> {};
-struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+using Preset = sph::presets::SoundWater;
 
 int main() {
     const std::filesystem::path folder = "out-go-back";
@@ -22,12 +26,12 @@ int main() {
     sph::require_writable(folder);
 
     // 0.4 of the limits is what a scene takes by itself; 1.6 times them is more than they bear.
-    sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Contact> scene(
-        {.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .cfl = 1.6});
-    Water water{{.density = 1000, .sound_speed = 28}};
-    water.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
+    Preset::Scene<2, double> scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .cfl = 1.6});
+    Preset::Water water{{.density = 1000, .sound_speed = 28, .viscosity = 1e-3}};
+    Preset::set_coefficients(water);
     const auto pool = scene.add(water, sph::fill(sph::Box<2>({0, 0}, {0.2, 0.4}), dx), dx);
-    scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {0.8, 0.6}), dx, 3), dx);
+    scene.add(Preset::Vessel{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {0.8, 0.6}), dx, 3), dx);
+    Preset::set_coefficients(scene.coupling<Preset::Sides>(), water);
 
     sph::Table table(folder / "front.csv", {{"time", "s"}, {"front", "m"}});
     const auto row = [&](const auto& now) { table.row({now.time(), now[pool][sph::position].col(0).maxCoeff()}); };
