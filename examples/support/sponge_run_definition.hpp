@@ -124,6 +124,8 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                                       {"time step", "s"},
                                       {"what limits the time step"}};
     const auto path = output.folder / "sponge.csv";
+    if (output.restart && output.previous) // from here on the later one has no table that fits it
+        return_to_previous_checkpoint(checkpoint);
     Table table =
         output.restart ? Table::resume(path, columns, static_cast<std::size_t>(notes["rows"])) : Table(path, columns);
     Snapshots snapshots(output.folder);

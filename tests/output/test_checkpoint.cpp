@@ -206,6 +206,26 @@ TEST_CASE("Where the checkpoint before cannot be kept no new one is written", "[
     CHECK((output_test::content(folder / "run.previous") == first));
 }
 
+TEST_CASE("A run that goes on from the checkpoint before leaves the later one behind", "[checkpoint]") {
+    const auto folder = output_test::fresh("checkpoint_return"), path = folder / "run",
+               before = folder / "run.previous";
+    auto scene = make<float>();
+    sph::return_to_previous_checkpoint(path); // nothing there
+    CHECK_FALSE(std::filesystem::exists(path));
+    sph::write_checkpoint(scene, path);
+    const auto first = output_test::content(path);
+    run(scene, 10);
+    sph::write_checkpoint(scene, path);
+    sph::return_to_previous_checkpoint(path);
+    CHECK((output_test::content(path) == first));
+    CHECK((output_test::content(before) == first));
+    sph::return_to_previous_checkpoint(path); // both are one already
+    run(scene, 10);
+    sph::write_checkpoint(scene, path);
+    CHECK((output_test::content(path) != first));
+    CHECK((output_test::content(before) == first));
+}
+
 TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays", "[checkpoint]") {
     const auto folder = output_test::fresh("checkpoint_bad");
     const auto path = folder / "run", bad = folder / "bad";

@@ -156,11 +156,11 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
 
 /// Gives a checkpoint, if there is one, a second name, or a copy where the disk knows no second names. The one that had
 /// the name is there until then. Throws Error where that fails: there would be nothing to fall back on.
-inline void keep_as_previous(const std::filesystem::path& checkpoint, const std::filesystem::path& previous) {
+inline void give_second_name(const std::filesystem::path& checkpoint, const std::filesystem::path& second) {
     std::error_code error;
     if (!std::filesystem::exists(checkpoint, error))
         return;
-    const std::filesystem::path fresh = previous.string() + ".tmp";
+    const std::filesystem::path fresh = second.string() + ".tmp";
     std::filesystem::remove(fresh, error); // of a program that was killed here
     std::filesystem::create_hard_link(checkpoint, fresh, error);
     if (error) {
@@ -168,11 +168,11 @@ inline void keep_as_previous(const std::filesystem::path& checkpoint, const std:
         std::filesystem::copy_file(checkpoint, fresh, error);
     }
     if (!error)
-        std::filesystem::rename(fresh, previous, error);
+        std::filesystem::rename(fresh, second, error);
     if (error) {
         std::error_code ignored;
         std::filesystem::remove(fresh, ignored);
-        throw Error(text("cannot keep the checkpoint ", checkpoint.string(), " as ", previous.string(), ": ",
+        throw Error(text("cannot keep the checkpoint ", checkpoint.string(), " as ", second.string(), ": ",
                          error.message(), "; it stays, and no new one is written"));
     }
     std::filesystem::remove(fresh, error); // is there still where both names were of one file already
@@ -194,6 +194,16 @@ std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
 }
 
 } // namespace detail
+
+/// Makes `<path>.previous` the checkpoint at `path`, too. For a run that goes on from the one before, when it has read
+/// it and before it drops what its tables and snapshots have of later times: the later checkpoint does not fit them
+/// then, and a run that is killed before its next one would be left with that. Nothing is done where there is none
+/// before.
+/// @param path the file of the later one
+/// @throws Error when the disk refuses it
+inline void return_to_previous_checkpoint(const std::filesystem::path& path) {
+    detail::give_second_name(path.string() + ".previous", path);
+}
 
 /// Writes the state of a scene to `path`: every field of every particle, their order and numbers, time, step count and
 /// what the next time step depends on. A checkpoint that was there before is kept as `<path>.previous`.
@@ -220,7 +230,7 @@ void write_checkpoint(Scene& scene, const std::filesystem::path& path, const Che
 
     AtomicFile file(path);
     file.write(bytes.data(), bytes.size());
-    file.commit_to_disk([&] { detail::keep_as_previous(file.path(), path.string() + ".previous"); });
+    file.commit_to_disk([&] { detail::give_second_name(file.path(), path.string() + ".previous"); });
 }
 
 namespace detail {

@@ -86,7 +86,8 @@ public:
             require_whole(line, columns.size(), path);
             kept += line + "\n";
         }
-        require(found == rows, "cannot continue the table ", path.string(), " after ", rows, " rows: it has ", found);
+        require(found == rows, "cannot continue the table ", path.string(), " after ", rows, " rows: it has ", found,
+                ", fewer than when the checkpoint was written; go on from the one before");
         in.close();
         AtomicFile whole(path);
         whole << kept;

@@ -8,8 +8,8 @@ two threads, the one that they are compared with with one.
 
 After each kill every file that carries its final name must be whole; the run goes on from its checkpoint or, three times
 out of ten where there are two, from the one before, so that both are read. Before that
-the same is asked of a run that Ctrl-C ends, and of one whose last checkpoint is damaged and that goes on from the one
-before.
+the same is asked of a run that Ctrl-C ends, and of one whose last checkpoint is damaged, that goes on from the one
+before and is killed at once.
 """
 import argparse
 import os
@@ -30,9 +30,9 @@ RUN = ["--quick", "--end", "0.05", "--snapshots", "5"]
 SURROUNDINGS = {**os.environ, "IMBIBE_TOOLS": "none"}
 
 
-def command(sponge, folder, *more, threads=2):
-    """`sponge`: the program and its case."""
-    return [*sponge, *RUN, "--threads", str(threads), "--output", str(folder), "--checkpoints", "0.3", *more]
+def command(sponge, folder, *more, threads=2, checkpoints=0.3):
+    """`sponge`: the program and its case; `checkpoints`: seconds between two."""
+    return [*sponge, *RUN, "--threads", str(threads), "--output", str(folder), "--checkpoints", str(checkpoints), *more]
 
 
 def fail(words):
@@ -114,9 +114,23 @@ def interrupt(sponge, folder, seconds):
     refused = subprocess.run(command(sponge, folder, "--restart"), capture_output=True, text=True, env=SURROUNDINGS)
     if refused.returncode == 0 or "checksum is wrong" not in refused.stderr:
         fail(f"a damaged checkpoint was taken, or without a reason:\n{refused.stderr}")
-    subprocess.run(command(sponge, folder, "--restart", "--previous"), check=True, stdout=subprocess.DEVNULL,
-                   env=SURROUNDINGS)
+    kill_behind_its_checkpoint(sponge, folder)
+    subprocess.run(command(sponge, folder, "--restart"), check=True, stdout=subprocess.DEVNULL, env=SURROUNDINGS)
     return whole
+
+
+def kill_behind_its_checkpoint(sponge, folder):
+    """From the checkpoint before the last, until the table has lost what came after it and before a new one is written:
+    the last one, which is of a longer table, must not be what the next start takes."""
+    table = folder / "sponge.csv"
+    rows = table.stat().st_size
+    process = subprocess.Popen(command(sponge, folder, "--restart", "--previous", checkpoints=1000),
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=SURROUNDINGS)
+    until = time.monotonic() + 60
+    while table.stat().st_size == rows and process.poll() is None and time.monotonic() < until:
+        time.sleep(0.01)
+    process.kill()
+    process.communicate()
 
 
 def try_case(sponge, kills_asked, chance, scratch):
