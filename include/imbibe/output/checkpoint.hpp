@@ -322,8 +322,8 @@ public:
     void operator()(Scene& scene) {
         (*this)(scene, [] { return CheckpointNotes{}; });
     }
-    /// The same with the program's own numbers, which `notes()` returns. True if a checkpoint was written.
-    /// @param look called before one is written, to throw where the scene is no good one: `Guard::look`
+    /// The same with the program's own numbers, which `notes()` returns, and with a look at the scene: `look(scene)` is
+    /// called before one is written, to throw where that would be no good one (`Guard::look`). True if one was written.
     template <class Scene, class Notes, class Look>
     bool operator()(Scene& scene, const Notes& notes, const Look& look) {
         const bool now = due(scene);
