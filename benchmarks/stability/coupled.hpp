@@ -8,8 +8,14 @@
 
 namespace stability {
 
+/// What a composition has where it says nothing else.
+struct AsUsual {
+    static constexpr double body_spacing = 1; // of the water's
+    static constexpr int search_interval = 1; // steps that neighbours serve
+};
+
 /// presets::SoundSponge in two dimensions.
-struct SoundCoupling {
+struct SoundCoupling : AsUsual {
     static constexpr const char* name = "sound sponge";
     using Fluid = WeaklyCompressible;
     using Preset = sph::presets::SoundSponge;
@@ -28,11 +34,11 @@ struct SoundCouplingAsOffered : SoundCoupling {
 };
 struct SoundCouplingFiner : SoundCouplingAsOffered {
     static constexpr const char* name = "sound sponge twice as fine as the water, neighbours for 4 steps";
-    static constexpr double body_spacing = 0.5; // of the water's
+    static constexpr double body_spacing = 0.5;
 };
 
 /// The Riemann fluid on a total-Lagrangian solid.
-struct RiemannCoupling {
+struct RiemannCoupling : AsUsual {
     static constexpr const char* name = "Riemann on St. Venant-Kirchhoff";
     using Fluid = Riemann;
     using K = sph::WendlandC2;
@@ -48,7 +54,7 @@ struct RiemannCoupling {
 };
 
 /// presets::PaperSponge in two dimensions.
-struct PaperCoupling {
+struct PaperCoupling : AsUsual {
     static constexpr const char* name = "paper";
     using Fluid = Paper;
     using K = sph::Spiky;
@@ -80,22 +86,6 @@ struct CoupledWith : C {
     using Fluid = Integrated<typename C::Fluid, With>;
 };
 
-/// The spacing of a composition's bodies, m, and the steps that its neighbours serve.
-template <class C>
-constexpr double body_spacing() {
-    if constexpr (requires { C::body_spacing; })
-        return C::body_spacing * dx;
-    else
-        return dx;
-}
-template <class C>
-constexpr int search_interval() {
-    if constexpr (requires { C::search_interval; })
-        return C::search_interval;
-    else
-        return 1;
-}
-
 template <class C, class Real, int dim = 2>
 using CoupledScene = sph::Solver<dim, Real, typename C::Fluid::Integrator, typename C::Fluid::Water, typename C::Body,
                                  typename C::Fluid::Tank, typename C::Contact, typename C::Fluid::Sides>;
@@ -104,7 +94,7 @@ template <class C, class Real, int dim = 2>
 CoupledScene<C, Real, dim> coupled_scene(double c) {
     CoupledScene<C, Real, dim> scene({.gravity = downwards<dim>(g),
                                       .support_radius = C::Fluid::support * dx,
-                                      .search_interval = search_interval<C>(),
+                                      .search_interval = C::search_interval,
                                       .threads = 1});
     const auto water = water_of<typename C::Fluid>(c);
     C::Fluid::set(scene.template coupling<typename C::Fluid::Sides>(), water);
@@ -114,15 +104,15 @@ CoupledScene<C, Real, dim> coupled_scene(double c) {
 /// Particles of a body that fill a box.
 template <class C, int dim>
 std::vector<sph::Point<dim>> body_points(const sph::Box<dim>& box) {
-    return sph::fill(box, body_spacing<C>());
+    return sph::fill(box, C::body_spacing * dx);
 }
-/// @param points `body_spacing<C>()` apart
+/// @param points `C::body_spacing * dx` apart
 template <class C, class Scene, class Points>
 auto add_body(Scene& scene, const Points& points, double E, double poisson, double density) {
     auto body = elastic<typename C::Body>(E, poisson, density);
-    body.support_radius = C::body_support * body_spacing<C>();
+    body.support_radius = C::body_support * C::body_spacing * dx;
     C::set(body);
-    return scene.add(body, points, body_spacing<C>());
+    return scene.add(body, points, C::body_spacing * dx);
 }
 
 /// Does a point have particles of a body on all sides of it, within 1.5 spacings? The directions to them add up to less
@@ -230,7 +220,7 @@ Outcome block_on_pool(const Plan& plan) {
             before = now;
             time = s.time();
         }
-        const double mass = density * static_cast<double>(points.size()) * sph::power<dim>(body_spacing<C>());
+        const double mass = density * static_cast<double>(points.size()) * sph::power<dim>(C::body_spacing * dx);
         return std::vector{std::abs(now) / mass / std::sqrt(g * deep * dx),
                            looks > 50 ? static_cast<double>(flips) / looks : 0};
     });

@@ -224,6 +224,11 @@ TEST_CASE("A run that goes on from the checkpoint before leaves the later one be
     sph::write_checkpoint(scene, path);
     CHECK((output_test::content(path) != first));
     CHECK((output_test::content(before) == first));
+    std::filesystem::rename(path, folder / "elsewhere");
+    std::filesystem::create_symlink(folder / "elsewhere", path);
+    sph::return_to_previous_checkpoint(path);
+    CHECK(std::filesystem::is_symlink(path));
+    CHECK((output_test::content(folder / "elsewhere") == first));
 }
 
 TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays", "[checkpoint]") {

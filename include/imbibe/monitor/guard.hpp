@@ -108,9 +108,6 @@ private:
             return;
         using State = std::remove_cvref_t<decltype(phase.state)>;
         const auto x = phase[position];
-        require_finite(scene, phase, name, x, "position");
-        if constexpr (State::template stores<Velocity>)
-            require_finite(scene, phase, name, phase[velocity], "velocity");
         require_finite_states(scene, phase, name, typename Scene::template FieldsOf<P>{});
         for (int d = 0; d < dim && P::moves; ++d) { // walls may reach out of the domain that they enclose
             const auto k = static_cast<std::size_t>(d);

@@ -63,6 +63,14 @@ public:
         check();
     }
 
+    /// The file that a link stands for: the link stays, and what it names is replaced.
+    [[nodiscard]] static std::filesystem::path behind_links(std::filesystem::path path) {
+        std::error_code unknown;
+        if (!std::filesystem::is_symlink(path, unknown))
+            return path;
+        auto target = std::filesystem::canonical(path, unknown);
+        return unknown ? path : target;
+    }
     /// The file that will have its name: where the path is a link, what it stands for.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
@@ -92,14 +100,6 @@ private:
         std::filesystem::rename(temporary_, path_, error);
         require(!error, "cannot give ", temporary_.string(), " its name ", path_.string(), ": ", error.message());
         committed_ = true;
-    }
-    // The file that a link stands for: the link stays, and what it names is replaced.
-    static std::filesystem::path behind_links(std::filesystem::path path) {
-        std::error_code unknown;
-        if (!std::filesystem::is_symlink(path, unknown))
-            return path;
-        auto target = std::filesystem::canonical(path, unknown);
-        return unknown ? path : target;
     }
 #if __has_include(<unistd.h>)
     static int sync_file_system([[maybe_unused]] int file_on_it) {

@@ -87,7 +87,7 @@ public:
             kept += line + "\n";
         }
         require(found == rows, "cannot continue the table ", path.string(), " after ", rows, " rows: it has ", found,
-                ", fewer than when the checkpoint was written; go on from the one before");
+                ", fewer than the run that it is to be of; go on from an earlier checkpoint");
         in.close();
         AtomicFile whole(path);
         whole << kept;
