@@ -5,10 +5,17 @@
 #include "pictures.hpp"
 #include "sponge_run.hpp"
 
-#include <imbibe/imbibe.hpp>
+#include <imbibe/monitor/displacement.hpp>
+#include <imbibe/monitor/energy.hpp>
+#include <imbibe/monitor/guard.hpp>
+#include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/recover.hpp>
+#include <imbibe/output/snapshots.hpp>
+#include <imbibe/output/table.hpp>
+#include <imbibe/solver/describe.hpp>
 
 #include <csignal>
+#include <cstdio>
 #include <unistd.h>
 
 namespace imbibe::presets {

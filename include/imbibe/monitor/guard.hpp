@@ -5,9 +5,12 @@
 #include <imbibe/monitor/guard_settings.hpp>
 #include <imbibe/monitor/narrowest_passage.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -87,9 +90,11 @@ private:
                     const auto phase = scene[PhaseHandle<P>{}];
                     const auto v = phase[velocity];
                     require_finite(scene, phase, name_of<P>(scene), v, "velocity");
-                    Eigen::Index i = 0;
-                    v.rowwise().squaredNorm().maxCoeff(&i);
-                    stop(scene, Cause::too_fast, name_of<P>(scene), phase, static_cast<int>(i),
+                    int i = 0;
+                    for (int k = 1; k < s.size(); ++k)
+                        if (v.row(k).squaredNorm() > v.row(i).squaredNorm())
+                            i = k;
+                    stop(scene, Cause::too_fast, name_of<P>(scene), phase, i,
                          text("moves at ", fastest, " m/s, ", fastest / s.material.sound_speed,
                               " times its sound speed"));
                 }
@@ -114,11 +119,10 @@ private:
             if (scene.settings().periodic_length[k] > 0)
                 continue;
             const double origin = scene.settings().origin[k];
-            Eigen::Index low = 0, high = 0;
-            const double least = static_cast<double>(x.col(d).minCoeff(&low)) + origin;
-            const double most = static_cast<double>(x.col(d).maxCoeff(&high)) + origin;
-            if (least < settings_.lower[k] || most > settings_.upper[k])
-                stop(scene, Cause::left_domain, name, phase, static_cast<int>(least < settings_.lower[k] ? low : high),
+            const Extremes at = extremes(column(x, d));
+            if (at.least + origin < settings_.lower[k] || at.most + origin > settings_.upper[k])
+                stop(scene, Cause::left_domain, name, phase,
+                     at.least + origin < settings_.lower[k] ? at.of_least : at.of_most,
                      text("is outside the domain, which goes from ", settings_.lower[k], " to ", settings_.upper[k],
                           " m in that direction",
                           scene.steps() > 0
@@ -127,16 +131,13 @@ private:
                               : ", before the first step: put the particles into it, or make it wider"));
         }
         if constexpr (State::template stores<Density>) {
-            const auto rho = phase[density];
             const double rest = phase.material().density;
-            Eigen::Index low = 0, high = 0;
-            const double least = static_cast<double>(rho.col(0).minCoeff(&low)) / rest;
-            const double most = static_cast<double>(rho.col(0).maxCoeff(&high)) / rest;
-            if (least < settings_.least_density || most > settings_.greatest_density) {
-                const bool thin = least < settings_.least_density;
-                stop(scene, Cause::wrong_density, name, phase, static_cast<int>(thin ? low : high),
-                     text("has a density of ", (thin ? least : most) * rest, " kg/m^3, ", thin ? least : most,
-                          " of that at rest"));
+            const Extremes rho = extremes(column(phase[density], 0));
+            const bool thin = rho.least / rest < settings_.least_density;
+            if (thin || rho.most / rest > settings_.greatest_density) {
+                const double found = thin ? rho.least : rho.most;
+                stop(scene, Cause::wrong_density, name, phase, thin ? rho.of_least : rho.of_most,
+                     text("has a density of ", found, " kg/m^3, ", found / rest, " of that at rest"));
             }
         }
     }
@@ -153,12 +154,36 @@ private:
     template <class Scene, class View, class Field>
     void require_finite(const Scene& scene, const View& phase, const std::string& name, const Field& field,
                         std::string_view what) const {
-        if (field.allFinite())
-            return;
-        int i = 0;
-        while (field.row(i).allFinite())
-            ++i;
-        stop(scene, Cause::not_finite, name, phase, i, text("has a ", what, " that is not finite"));
+        for (int k = 0; k < field.cols(); ++k)
+            if (const int i = first_not_finite(column(field, k)); i < field.rows())
+                stop(scene, Cause::not_finite, name, phase, i, text("has a ", what, " that is not finite"));
+    }
+
+    // Fields are looked at column by column as plain numbers: every shape of field would be a dozen types of Eigen, and
+    // those take a compiler's memory.
+    template <class Field>
+    static std::span<const typename Field::Scalar> column(const Field& field, int k) {
+        return {field.data() + k * field.outerStride(), static_cast<std::size_t>(field.rows())};
+    }
+    template <class Number>
+    static int first_not_finite(std::span<const Number> all) {
+        const auto found = std::find_if_not(all.begin(), all.end(), [](Number x) { return std::isfinite(x); });
+        return static_cast<int>(found - all.begin());
+    }
+    struct Extremes {
+        double least, most;
+        int of_least, of_most;
+    };
+    template <class Number>
+    static Extremes extremes(std::span<const Number> all) {
+        const auto [least, most] = std::minmax_element(all.begin(), all.end());
+        return {static_cast<double>(*least), static_cast<double>(*most), static_cast<int>(least - all.begin()),
+                static_cast<int>(most - all.begin())};
+    }
+    template <class Number>
+    static double farthest_from_zero(std::span<const Number> all) {
+        const Extremes found = extremes(all);
+        return std::max(-found.least, found.most);
     }
 
     // Is a particle that moves among those of a wall? The lists of neighbours are those of the last search.
@@ -247,7 +272,8 @@ private:
                     for (int i = 0; i < s.size() && !driven; ++i) // what is held and moves, the program moves
                         driven = phase[mobility](i) == 0 && !phase[velocity].row(i).isZero(0);
             } else if constexpr (std::remove_cvref_t<decltype(s)>::template stores<Velocity>) {
-                driven = driven || (s.size() > 0 && phase[velocity].cwiseAbs().maxCoeff() > 0);
+                for (int d = 0; d < dim && s.size() > 0 && !driven; ++d)
+                    driven = farthest_from_zero(column(phase[velocity], d)) > 0;
             }
         });
         now.energy = now.kinetic + now.potential;
@@ -325,7 +351,7 @@ private:
                 for (int d = 0; d < dim && s.size() > 0; ++d)
                     energy += share * static_cast<double>(phase[mass].sum()) *
                               std::abs(scene.settings().gravity[static_cast<std::size_t>(d)]) *
-                              static_cast<double>(phase[position].col(d).cwiseAbs().maxCoeff());
+                              farthest_from_zero(column(phase[position], d));
             }
         });
         return energy;
