@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--restart", output.restart, "go on from the checkpoint in the output folder; other options as before")
         ->excludes("--overwrite");
-    app.add_flag("--previous", output.previous, "go on from the one before, as where the last is damaged")
+    app.add_flag("--previous", output.previous,
+                 "go on from the one before and give up the last, as where that is damaged")
         ->needs("--restart");
     app.add_flag("--quick", quick, "one row of wide pores under 14 mm of water, to 0.12 s");
     CLI11_PARSE(app, argc, argv);

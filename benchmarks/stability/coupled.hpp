@@ -115,11 +115,11 @@ auto add_body(Scene& scene, const Points& points, double E, double poisson, doub
     return scene.add(body, points, C::body_spacing * dx);
 }
 
-/// Does a point have particles of a body on all sides of it, within 1.5 spacings? The directions to them add up to less
-/// than 0.3 of their number: at a plane surface that is so from a tenth of a spacing below the outermost layer on,
-/// however the body has bent.
+/// Does a point have particles of a body on all sides of it, within 1.5 of its spacings? The directions to them add up
+/// to less than 0.3 of their number: at a plane surface that is so from a tenth of a spacing below the outermost layer
+/// on, however the body has bent.
 template <class Point, class Positions>
-bool is_surrounded(const Point& x, const Positions& body) {
+bool is_surrounded(const Point& x, const Positions& body, double spacing) {
     using Real = typename Point::Scalar;
     Eigen::Matrix<Real, 1, Positions::ColsAtCompileTime> sum;
     sum.setZero();
@@ -127,8 +127,8 @@ bool is_surrounded(const Point& x, const Positions& body) {
     for (Eigen::Index j = 0; j < body.rows(); ++j) {
         const auto off = (body.row(j) - x).eval();
         const Real distance = off.norm();
-        if (distance < static_cast<Real>(1.5 * dx)) {
-            sum += off / std::max(distance, static_cast<Real>(1e-9 * dx));
+        if (distance < static_cast<Real>(1.5 * spacing)) {
+            sum += off / std::max(distance, static_cast<Real>(1e-9 * spacing));
             ++near;
         }
     }
@@ -156,7 +156,7 @@ Outcome water_on_plate(const Plan& plan) {
         const auto w = s[water][sph::position], p = s[plate][sph::position];
         int inside = 0;
         for (Eigen::Index i = 0; i < w.rows(); ++i)
-            inside += is_surrounded(w.row(i), p);
+            inside += is_surrounded(w.row(i), p, C::body_spacing * dx);
         return std::vector{static_cast<double>(inside)};
     });
 }

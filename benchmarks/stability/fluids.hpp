@@ -237,11 +237,16 @@ Outcome shaken_water(const Plan& plan) {
     return march(scene, plan, watch, [&](const auto& s) { return std::vector{growth(s[water])}; });
 }
 
+/// Mean kinetic energies in parts of a run, each as a share of what was set free.
+struct Rest {
+    double fifth_tenth = 0, last_tenth = 0;
+};
+
 /// Water that is let go in a tank without pressure and comes to rest, for `value` times sqrt(depth/g) (0: 6 of them,
 /// some 3400 steps; in space 40, because a cubic lattice under pressure takes 10 to fall into a denser order). Rows 5
-/// and 20.
+/// and 20. @param rest where it is written how much moves late in the run
 template <class F, class Real = double, int dim = 2>
-Outcome still_water(const Plan& plan) {
+Outcome still_water(const Plan& plan, Rest* rest = nullptr) {
     constexpr double wide = dim == 2 ? 16 : 8, depth = wide * dx;
     const double c = 10 * std::sqrt(2 * g * depth), weight = sph::power<dim>(depth) * 1000 * g,
                  unit = std::sqrt(depth / g);
@@ -264,12 +269,17 @@ Outcome still_water(const Plan& plan) {
                                      {"mean kinetic energy, last tenth over fifth", 2}},
                            .every = 50,
                            .expected_steps = end * c / dx};
-    double fifth = 0, last = 0; // sums of the kinetic energy over those tenths of the run
+    double fifth = 0, last = 0, fifths = 0, lasts = 0; // sums of the kinetic energy over those tenths of the run
     return march(scene, plan, watch, [&](const auto& s) {
         const bool settled = s.time() > 3 * unit;
         const double kinetic = sph::kinetic_energy(s[water]);
-        fifth += s.time() > 0.4 * end && s.time() <= 0.5 * end ? kinetic : 0;
-        last += s.time() > 0.9 * end ? kinetic : 0;
+        const bool in_fifth = s.time() > 0.4 * end && s.time() <= 0.5 * end, in_last = s.time() > 0.9 * end;
+        fifth += in_fifth ? kinetic : 0;
+        last += in_last ? kinetic : 0;
+        fifths += in_fifth;
+        lasts += in_last;
+        if (rest && s.time() >= end)
+            *rest = {fifth / fifths / released, last / lasts / released};
         return std::vector{settled ? alternating(s[water], sph::pressure) / (1000 * g * depth) : 0,
                            settled ? kinetic / released : 0, way_into_wall(s[water], inner),
                            s.time() >= end ? last / fifth : 0};

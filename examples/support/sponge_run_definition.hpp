@@ -131,12 +131,14 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
                                       {"time step", "s"},
                                       {"what limits the time step"}};
     const auto path = output.folder / "sponge.csv";
-    if (output.restart && output.previous) // from here on the later one has no table that fits it
-        return_to_previous_checkpoint(checkpoint);
-    Table table =
-        output.restart ? Table::resume(path, columns, static_cast<std::size_t>(notes["rows"])) : Table(path, columns);
+    auto row_count = static_cast<std::size_t>(notes["rows"]);
     Snapshots snapshots(output.folder);
     snapshots.resume(scene, static_cast<std::size_t>(notes["snapshots"]));
+    if (output.restart && output.previous) { // from here on the later one has no table that fits it
+        Table::require_resumable(path, columns, row_count);
+        return_to_previous_checkpoint(checkpoint);
+    }
+    Table table = output.restart ? Table::resume(path, columns, row_count) : Table(path, columns);
     remove_if_there(finished_file(output)); // not before all is there that a run goes on from
     Progress progress(end, isatty(1) != 0);
     SpongeResult result;
@@ -147,7 +149,6 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
     const double late_from = 0.6 * end;
     const bool same_end = notes["late from"] == late_from; // a run may be continued to a later end
     double late_sum = same_end ? notes["late sum"] : 0, late_count = same_end ? notes["late count"] : 0;
-    auto row_count = static_cast<std::size_t>(notes["rows"]);
     const auto keep_notes = [&] {
         notes = {{"peak", result.peak},
                  {"peak time", result.peak_time},

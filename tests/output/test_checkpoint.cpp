@@ -184,7 +184,7 @@ TEST_CASE("The checkpoint before is kept, and a full disk leaves both", "[checkp
     auto earlier = make<float>();
     sph::read_checkpoint(earlier, path.string() + ".previous");
     CHECK(earlier.steps() == 10);
-    CHECK_FALSE(std::filesystem::exists(path.string() + ".previous.tmp"));
+    CHECK_FALSE(std::filesystem::exists(path.string() + ".previous.link"));
 }
 
 TEST_CASE("Where the checkpoint before cannot be kept no new one is written", "[checkpoint]") {
@@ -204,6 +204,34 @@ TEST_CASE("Where the checkpoint before cannot be kept no new one is written", "[
     std::filesystem::remove_all(folder / "run.previous");
     sph::write_checkpoint(scene, path);
     CHECK((output_test::content(folder / "run.previous") == first));
+}
+
+TEST_CASE("What a killed program left beside a checkpoint is no way into it", "[checkpoint]") {
+    const auto folder = output_test::fresh("checkpoint_left_over"), path = folder / "run",
+               before = folder / "run.previous";
+    auto scene = make<float>();
+    sph::write_checkpoint(scene, path);
+    const auto first = output_test::content(path);
+    run(scene, 10);
+    sph::write_checkpoint(scene, path);
+    sph::return_to_previous_checkpoint(path);
+    for (const char* left : {"run.tmp", "run.link", "run.previous.link"})
+        std::filesystem::create_hard_link(before, folder / left);
+    sph::return_to_previous_checkpoint(path);
+    run(scene, 10);
+    {
+        const output_test::FullDisk full(20000);
+        REQUIRE_THROWS_WITH(sph::write_checkpoint(scene, path), imbibe_test::contains("the disk refused it"));
+    }
+    CHECK((output_test::content(path) == first));
+    CHECK((output_test::content(before) == first));
+    for (int i = 0; i < 2; ++i) {
+        const auto last = output_test::content(path);
+        sph::write_checkpoint(scene, path);
+        CHECK((output_test::content(before) == last));
+        run(scene, 10);
+    }
+    CHECK(std::filesystem::hard_link_count(path) == 1);
 }
 
 TEST_CASE("A run that goes on from the checkpoint before leaves the later one behind", "[checkpoint]") {
@@ -342,9 +370,15 @@ TEST_CASE("A checkpoint with a name as long as a name may be is read, and one th
           "[checkpoint]") {
     const auto folder = output_test::fresh("checkpoint_names");
     auto scene = make<float>();
-    const auto longest = folder / std::string(249, 'x');
+    const auto longest = folder / std::string(241, 'x');
+    sph::write_checkpoint(scene, longest);
     sph::write_checkpoint(scene, longest);
     CHECK_NOTHROW(sph::read_checkpoint(scene, longest));
+    CHECK_NOTHROW(sph::read_checkpoint(scene, longest.string() + ".previous"));
+    const auto too_long = folder / std::string(242, 'x');
+    CHECK_THROWS_WITH(sph::write_checkpoint(scene, too_long),
+                      imbibe_test::contains("242 bytes; it may have at most 241"));
+    CHECK_THROWS_WITH(sph::Checkpoints(too_long, 1), imbibe_test::contains("Give it a shorter name"));
     CHECK_THROWS_WITH(sph::read_checkpoint(scene, folder / std::string(300, 'x')),
                       imbibe_test::contains("there is no such file"));
 }

@@ -96,6 +96,10 @@ TEST_CASE("a table is continued after a restart", "[output]") {
     std::ofstream(path, std::ios::app) << "7,8"; // killed in the middle of a row
     REQUIRE_THROWS_WITH(Table::resume(path.string() + "x", columns, 0), contains("there is no such file"));
     REQUIRE_THROWS_WITH(Table::resume(path, columns, 3), contains("after 3 rows: it has 2"));
+    REQUIRE_THROWS_WITH(Table::require_resumable(path, columns, 3), contains("continue after at most so many"));
+    const auto whole = content(path);
+    CHECK_NOTHROW(Table::require_resumable(path, columns, 1));
+    CHECK(content(path) == whole);
     REQUIRE_THROWS_WITH(Table::resume(path, {{"time", "ms"}}, 1), contains("where this run writes 'time [ms]'"));
     auto table = Table::resume(path, columns, 1);
     table.row({4, 5, 7});

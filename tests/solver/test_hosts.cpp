@@ -420,15 +420,19 @@ TEST_CASE("What is doubtful about a scene is said before its first step", "[host
         CHECK(layers(2.6 * dx).empty());
     }
     SECTION("coordinates of which float has not enough digits") {
-        const auto at = []<class Real>(Real, double x, const std::array<double, 2>& origin) {
+        const auto at = []<class Real>(Real, double x, const std::array<double, 2>& origin, bool as_wide = false) {
             auto s = settings();
             s.origin = origin;
             sph::Solver<2, Real, sph::SymplecticEuler, Water> scene(s);
             scene.add(water, block(x, 0, 0.5, 0.5), dx);
+            if (as_wide)
+                scene.add(water, block(0, 0, 0.5, 0.5), dx);
             scene.prepare();
             return scene.warnings();
         };
         check_warning(at(0.F, 600, {}), "Settings::origin = (600.2");
+        check_warning(at(0.F, 600, {}), "forces are wrong by about 0.24");
+        CHECK(at(0.F, 600, {}, true).empty()); // no other origin would help
         CHECK(at(0., 600, {}).empty());
         CHECK(at(0.F, 600, {590, 0}).empty());
         CHECK(at(0.F, 400, {}).empty());

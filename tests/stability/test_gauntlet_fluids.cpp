@@ -8,12 +8,12 @@ using stability::Paper;
 using stability::Riemann;
 using stability::WeaklyCompressible;
 
-namespace {
+namespace gauntlet_of_fluids {
 /// The paper's fluid with more neighbours.
 struct WidePaper : Paper {
     static constexpr double support = 2.6; // spacings
 };
-} // namespace
+} // namespace gauntlet_of_fluids
 
 TEST_CASE("Water shaken particle by particle comes to rest", "[stability]") {
     check_preset(stability::shaken_water<WeaklyCompressible>);
@@ -45,7 +45,7 @@ TEST_CASE("A spinning square of water stays free of clumps and voids", "[stabili
 TEST_CASE("What opens a void in the paper's spinning square is its narrow support", "[stability]") { // row 6
     const Outcome narrow = stability::spinning_square<Paper, double, true>({.cfl = 0.4});
     CHECK(narrow.cause == narrow.signs[0].name);
-    check_stable(stability::spinning_square<WidePaper, double, true>, 0.4, 0);
+    check_stable(stability::spinning_square<gauntlet_of_fluids::WidePaper, double, true>, 0.4, 0);
 }
 
 TEST_CASE("A drop splashes into a pool", "[stability]") { // row 19

@@ -7,12 +7,12 @@ using stability::Averaged;
 using stability::Hookean;
 using stability::Hypoelastic;
 
-namespace {
+namespace gauntlet_of_solids {
 /// The solid of the preset with nothing against what its gradients do not see.
 struct WithoutControl : Hookean {
     static void set(Body& body) { body.set(imbibe::HourglassControlParameters{.alpha = 0}); }
 };
-} // namespace
+} // namespace gauntlet_of_solids
 
 TEST_CASE("Bars are stretched and come back", "[stability]") { // row 1
     check_preset(stability::stretched_bar<Hookean>, 0.15);
@@ -54,7 +54,7 @@ TEST_CASE("A column is twisted by a revolution and stays smooth", "[stability]")
 
 TEST_CASE("Without control of zero-energy modes a twisted column is twice as rough", "[stability]") { // row 3
     const Outcome held = stability::twisted_column<Hookean>({.cfl = 0.4, .value = 0.45}),
-                  left = stability::twisted_column<WithoutControl>({.cfl = 0.4, .value = 0.45});
+                  left = stability::twisted_column<gauntlet_of_solids::WithoutControl>({.cfl = 0.4, .value = 0.45});
     REQUIRE(held.signs[0].name == "roughness of the displacement, spacings");
     CHECK(left.signs[0].worst > 2 * held.signs[0].worst);
 }

@@ -69,8 +69,8 @@ void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried)
         must_be_refused = chosen.used;
     }
     const double share = dice.once_in(2) ? 0.5 : 1; // of the water's spacing and support: those of the body
-    CAPTURE(seed, spacing, support, share, water_density, body_density, gravity, c, poisson, E, viscosity, has_water, has_body,
-            spoilt, overlapping);
+    CAPTURE(seed, spacing, support, share, water_density, body_density, gravity, c, poisson, E, viscosity, has_water,
+            has_body, spoilt, overlapping);
     using Scene = CoupledScene<C, Real, dim>;
     bool started = false;
     try {

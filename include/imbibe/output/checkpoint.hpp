@@ -154,13 +154,25 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
     }
 }
 
+/// The ending of a second name that is being made.
+inline constexpr const char* link_ending = ".link";
+
+/// Refuses a name beside which the checkpoint before could not be kept: file systems take names of 255 bytes.
+inline void require_short_name(const std::filesystem::path& path) {
+    constexpr std::size_t most = 255 - std::string_view(".previous.link").size();
+    const auto name = path.filename().string();
+    require(name.size() <= most, "the checkpoint's name ", name, " has ", name.size(), " bytes; it may have at most ",
+            most, ", so that the one before it can be kept under a longer one. Give it a shorter name");
+}
+
 /// Gives a checkpoint, if there is one, a second name, or a copy where the disk knows no second names. The one that had
-/// the name is there until then. Throws Error where that fails: there would be nothing to fall back on.
-inline void give_second_name(const std::filesystem::path& checkpoint, const std::filesystem::path& second) {
+/// the name is there until then. Throws Error, `hence` in it, where that fails: there would be nothing to fall back on.
+inline void give_second_name(const std::filesystem::path& checkpoint, const std::filesystem::path& second,
+                             const char* hence) {
     std::error_code error;
     if (!std::filesystem::exists(checkpoint, error))
         return;
-    const std::filesystem::path fresh = second.string() + ".tmp";
+    const std::filesystem::path fresh = second.string() + link_ending;
     std::filesystem::remove(fresh, error); // of a program that was killed here
     std::filesystem::create_hard_link(checkpoint, fresh, error);
     if (error) {
@@ -173,7 +185,8 @@ inline void give_second_name(const std::filesystem::path& checkpoint, const std:
         std::error_code ignored;
         std::filesystem::remove(fresh, ignored);
         throw Error(text("cannot keep the checkpoint ", checkpoint.string(), " as ", second.string(), ": ",
-                         error.message(), "; it stays, and no new one is written"));
+                         error.message(), "; it stays, and ", hence, ". Free space there, or move away what has ",
+                         "that name, then continue the run"));
     }
     std::filesystem::remove(fresh, error); // is there still where both names were of one file already
 }
@@ -202,7 +215,8 @@ std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
 /// @param path the file of the later one
 /// @throws Error when the disk refuses it
 inline void return_to_previous_checkpoint(const std::filesystem::path& path) {
-    detail::give_second_name(path.string() + ".previous", AtomicFile::behind_links(path));
+    detail::give_second_name(path.string() + ".previous", AtomicFile::behind_links(path),
+                             "the later one stays what is gone on from");
 }
 
 /// Writes the state of a scene to `path`: every field of every particle, their order and numbers, time, step count and
@@ -221,16 +235,19 @@ inline void return_to_previous_checkpoint(const std::filesystem::path& path) {
 /// @param scene what is written
 /// @param path the file
 /// @param notes numbers of the program that go along
-/// @throws Error when the disk refuses it, or when a coordinate is not a finite number; the earlier checkpoints stay
+/// @throws Error when the disk refuses it, when a coordinate is not a finite number, or for a name of more than 241
+///     bytes; the earlier checkpoints stay
 template <class Scene>
 void write_checkpoint(Scene& scene, const std::filesystem::path& path, const CheckpointNotes& notes = {}) {
+    detail::require_short_name(path);
     scene.prepare();
     scene.require_finite("nothing is written to " + path.string() + ", what is there stays: ");
     const std::string bytes = detail::checkpoint_bytes(scene, notes);
 
     AtomicFile file(path);
     file.write(bytes.data(), bytes.size());
-    file.commit_to_disk([&] { detail::give_second_name(file.path(), path.string() + ".previous"); });
+    file.commit_to_disk(
+        [&] { detail::give_second_name(file.path(), path.string() + ".previous", "no new one is written"); });
 }
 
 namespace detail {
@@ -301,13 +318,15 @@ public:
     /// @param path the file to write
     /// @param seconds of wall time between two checkpoints
     /// @param simulated time between two, s: one is due at every multiple of it, too; infinite: by wall time only
-    /// @throws Error now if the folder cannot be written, or for an interval out of range
+    /// @throws Error now if the folder cannot be written, for an interval out of range, or for a name of more than 241
+    ///     bytes
     Checkpoints(std::filesystem::path path, double seconds,
                 double simulated = std::numeric_limits<double>::infinity())
         : path_(std::move(path)), seconds_(seconds), simulated_(simulated) {
         require(std::isfinite(seconds) && seconds >= 0, "seconds between checkpoints = ", seconds,
                 "; it must be a finite number not below 0");
         require(simulated > 0, "simulated time between checkpoints = ", simulated, " s; it must be above 0 s");
+        detail::require_short_name(path_);
         require_writable(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
     }
     /// Will one be written now?

@@ -74,25 +74,17 @@ public:
     /// Continues the file of an earlier run, whatever the time of the next row: keeps its first `rows` rows and drops
     /// what follows. Throws Error if it has other columns or fewer rows, or a row of them another number of cells.
     static Table resume(std::filesystem::path path, std::vector<Column> columns, std::size_t rows) {
-        const auto expected = first_line(columns);
-        std::string kept, line;
-        std::ifstream in(path, std::ios::binary);
-        require(in.is_open(), "cannot continue the table ", path.string(),
-                ": there is no such file, or it may not be read");
-        require(static_cast<bool>(std::getline(in, line)) && line == expected, "cannot continue the table ",
-                path.string(), ": its first line is '", line, "' where this run writes '", expected, "'");
-        std::size_t found = 0;
-        for (kept = line + "\n"; found < rows && std::getline(in, line) && !in.eof(); ++found) {
-            require_whole(line, columns.size(), path);
-            kept += line + "\n";
-        }
-        require(found == rows, "cannot continue the table ", path.string(), " after ", rows, " rows: it has ", found,
-                ", fewer than the run that it is to be of; go on from an earlier checkpoint");
-        in.close();
+        const std::string kept = first_rows(path, columns, rows);
         AtomicFile whole(path);
         whole << kept;
         whole.commit();
         return Table(std::move(path), std::move(columns), Begin::behind_what_is_there);
+    }
+    /// Throws Error where resume() would for what is in the file, and changes nothing: to be asked before anything else
+    /// is given up for the state that the table is continued from.
+    static void require_resumable(const std::filesystem::path& path, const std::vector<Column>& columns,
+                                  std::size_t rows) {
+        first_rows(path, columns, rows);
     }
 
     /// Appends one row. Throws Error unless it has one number for each column, and when the disk refuses it; the rows
@@ -141,6 +133,26 @@ private:
         over_time_ = columns_.front().name == "time" && columns_.front().unit == "s";
         if (begin == Begin::behind_what_is_there)
             open(std::ios::app);
+    }
+
+    // The first line and `rows` rows of the file that is to be continued.
+    static std::string first_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
+                                  std::size_t rows) {
+        const auto expected = first_line(columns);
+        std::string kept, line;
+        std::ifstream in(path, std::ios::binary);
+        require(in.is_open(), "cannot continue the table ", path.string(),
+                ": there is no such file, or it may not be read");
+        require(static_cast<bool>(std::getline(in, line)) && line == expected, "cannot continue the table ",
+                path.string(), ": its first line is '", line, "' where this run writes '", expected, "'");
+        std::size_t found = 0;
+        for (kept = line + "\n"; found < rows && std::getline(in, line) && !in.eof(); ++found) {
+            require_whole(line, columns.size(), path);
+            kept += line + "\n";
+        }
+        require(found == rows, "cannot continue the table ", path.string(), " after ", rows, " rows: it has ", found,
+                "; continue after at most so many, as from an earlier state of the run, or put back the whole file");
+        return kept;
     }
 
     void open(std::ios::openmode how) {

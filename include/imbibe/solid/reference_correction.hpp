@@ -139,11 +139,12 @@ struct ReferenceCorrection {
     /// much, are stiffer. Fitted to shaken sheets, rows and blocks that are more or less irregular, with supports
     /// of 1.5 to 2.6 spacings: the longest step that holds is 0.84 to 1.9 times this.
     ///
-    /// The law's limit ("elastic wave") for a support t times as short, or 1/t^(1/4) of it where that is less, where
+    /// The law's limit ("elastic wave") for a support t times as short (all but its factors for supports below two
+    /// spacings and for nu/(1 - nu) above a half, which stay), or 1/t^(1/4) of it where that is less, where
     /// the gradients of every particle are corrected by more than in a large body: t is the least trace of L, over that
     /// inside a lattice, above 1.1 in bodies two particles thick and in some of three. For plates, bars and blocks of
-    /// two to four particles, supports of 1.5 to 2.6 spacings and all Poisson's ratios up to 0.499 the longest step that
-    /// holds is 0.98 to 1.45 times this and the law's (tests/terms/test_total_lagrangian.cpp).
+    /// two to four particles, supports of 1.5 to 2.6 spacings and all Poisson's ratios up to 0.499 the longest step
+    /// that holds is 0.98 to 1.45 times this and the law's (tests/terms/test_total_lagrangian.cpp).
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         double limit = std::numeric_limits<double>::infinity();
         if constexpr (requires { material.longitudinal_wave_speed(); }) {

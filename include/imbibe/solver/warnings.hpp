@@ -189,7 +189,7 @@ std::string warning_of_far_origin(const Engine& engine, const Origin& origin) {
     for (int d = 0; d < dim; ++d)
         centre[d] = 0.5 * (lower[d] + upper[d]) + origin[static_cast<std::size_t>(d)];
     return text("coordinates reach ", away, " m from the origin, ", away / spacing, " spacings, and float has seven ",
-                "digits: forces are wrong by about ", 2e-7 * away / spacing, ". Take an origin among the particles, ",
+                "digits: forces are wrong by about ", 2e-5 * away / spacing, " %. Take an origin among the particles, ",
                 "such as Settings::origin = ", point_text<dim>(centre), ", or double");
 }
 

@@ -95,12 +95,22 @@ def expect_same(folder, expected, after):
             fail(f"after {after} {name} differs; both are in kill_sponge_differs")
 
 
-def interrupt(sponge, folder, seconds):
-    """Ctrl-C half-way: the run ends by itself and says so; then its last checkpoint is damaged, which is refused, and
-    the run goes on from the one before."""
+def wait_until(happened, process):
+    """Fails where the process ends, or a minute goes by, before that."""
+    until = time.monotonic() + 60
+    while not happened():
+        if process.poll() is not None or time.monotonic() > until:
+            process.kill()
+            fail(f"what was waited for did not happen:\n{process.communicate()[0].decode()[-2000:]}")
+        time.sleep(0.01)
+
+
+def interrupt(sponge, folder):
+    """Ctrl-C once there are two checkpoints: the run ends by itself and says so; then its last one is damaged, which is
+    refused, and the run goes on from the one before."""
     process = subprocess.Popen(command(sponge, folder), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                env=SURROUNDINGS)
-    time.sleep(seconds / 2)
+    wait_until(lambda: (folder / "checkpoint.previous").exists(), process)
     process.send_signal(signal.SIGINT)
     words = process.communicate(timeout=60)[0].decode()
     if process.returncode == 0 or "--restart goes on from here" not in words:
@@ -123,12 +133,12 @@ def kill_behind_its_checkpoint(sponge, folder):
     """From the checkpoint before the last, until the table has lost what came after it and before a new one is written:
     the last one, which is of a longer table, must not be what the next start takes."""
     table = folder / "sponge.csv"
-    rows = table.stat().st_size
+    size = table.stat().st_size
     process = subprocess.Popen(command(sponge, folder, "--restart", "--previous", checkpoints=1000),
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=SURROUNDINGS)
-    until = time.monotonic() + 60
-    while table.stat().st_size == rows and process.poll() is None and time.monotonic() < until:
-        time.sleep(0.01)
+    wait_until(lambda: table.stat().st_size < size, process)
+    if (folder / "checkpoint").read_bytes() != (folder / "checkpoint.previous").read_bytes():
+        fail("the table was cut before its checkpoint had become the last one")
     process.kill()
     process.communicate()
 
@@ -143,7 +153,7 @@ def try_case(sponge, kills_asked, chance, scratch):
     if len(expected) < 10:
         fail(f"the uninterrupted run left only {sorted(expected)}")
 
-    stopped = interrupt(sponge, scratch / "stopped", seconds)
+    stopped = interrupt(sponge, scratch / "stopped")
     expect_same(stopped, expected, "Ctrl-C")
     expect_same(scratch / "stopped", expected, "damage to the last checkpoint")
     print("after Ctrl-C, and from the checkpoint before the last: the same bytes", flush=True)
