@@ -246,7 +246,7 @@ struct Rest {
 /// some 3400 steps; in space 40, because a cubic lattice under pressure takes 10 to fall into a denser order). Rows 5
 /// and 20. @param rest where it is written how much moves late in the run
 template <class F, class Real = double, int dim = 2>
-Outcome still_water(const Plan& plan, Rest* rest = nullptr) {
+Outcome settling_water(const Plan& plan, Rest& rest) {
     constexpr double wide = dim == 2 ? 16 : 8, depth = wide * dx;
     const double c = 10 * std::sqrt(2 * g * depth), weight = sph::power<dim>(depth) * 1000 * g,
                  unit = std::sqrt(depth / g);
@@ -278,12 +278,19 @@ Outcome still_water(const Plan& plan, Rest* rest = nullptr) {
         last += in_last ? kinetic : 0;
         fifths += in_fifth;
         lasts += in_last;
-        if (rest && s.time() >= end)
-            *rest = {fifth / fifths / released, last / lasts / released};
+        if (s.time() >= end)
+            rest = {fifth / fifths / released, last / lasts / released};
         return std::vector{settled ? alternating(s[water], sph::pressure) / (1000 * g * depth) : 0,
                            settled ? kinetic / released : 0, way_into_wall(s[water], inner),
                            s.time() >= end ? last / fifth : 0};
     });
+}
+
+/// The same, where only its indicators are asked for.
+template <class F, class Real = double, int dim = 2>
+Outcome still_water(const Plan& plan) {
+    Rest rest;
+    return settling_water<F, Real, dim>(plan, rest);
 }
 
 /// A block of water that is thrown on a floor, at `value` sound speeds. Row 7.

@@ -6,7 +6,7 @@ TEST_CASE("Still water stays still for a million steps, in float too", "[stabili
     const auto check = []<class Real>(Real) {
         stability::Rest rest;
         const auto out =
-            stability::still_water<stability::WeaklyCompressible, Real>({.cfl = 0.4, .value = 2900}, &rest);
+            stability::settling_water<stability::WeaklyCompressible, Real>({.cfl = 0.4, .value = 2900}, rest);
         INFO(gauntlet::words(out));
         CHECK(out.steps > 1'000'000);
         CHECK(out.stable);
