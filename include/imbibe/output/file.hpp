@@ -39,7 +39,8 @@ public:
     explicit AtomicFile(std::filesystem::path path)
         : path_(behind_links(std::move(path))), temporary_(path_.string() + ".tmp") {
         std::error_code none_there; // what a killed program left under this name may be another name of a good file
-        std::filesystem::remove(temporary_, none_there);
+        if (!std::filesystem::is_directory(temporary_, none_there))
+            std::filesystem::remove(temporary_, none_there);
         out_.open(temporary_, std::ios::binary);
         require(out_.is_open(), "cannot write ", path_.string(),
                 ": the file cannot be opened; check that its folder exists and may be written by you");

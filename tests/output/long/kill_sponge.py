@@ -105,12 +105,21 @@ def wait_until(happened, process):
         time.sleep(0.01)
 
 
-def interrupt(sponge, folder):
-    """Ctrl-C once there are two checkpoints: the run ends by itself and says so; then its last one is damaged, which is
-    refused, and the run goes on from the one before."""
-    process = subprocess.Popen(command(sponge, folder), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               env=SURROUNDINGS)
-    wait_until(lambda: (folder / "checkpoint.previous").exists(), process)
+def interrupt(sponge, folder, seconds):
+    """Ctrl-C two rows of the table after the second checkpoint: the run ends by itself and says so; then its last one is
+    damaged, which is refused, and the run goes on from the one before."""
+    process = subprocess.Popen(command(sponge, folder, checkpoints=seconds / 3), stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, env=SURROUNDINGS)
+    lines_at = {}  # by when the last checkpoint was written: how long the table was then
+
+    def is_ahead_of_its_checkpoint():
+        if not (folder / "checkpoint.previous").exists():
+            return False
+        written = (folder / "checkpoint").stat().st_mtime_ns
+        lines = (folder / "sponge.csv").read_bytes().count(b"\n")
+        return lines >= lines_at.setdefault(written, lines) + 2
+
+    wait_until(is_ahead_of_its_checkpoint, process)
     process.send_signal(signal.SIGINT)
     words = process.communicate(timeout=60)[0].decode()
     if process.returncode == 0 or "--restart goes on from here" not in words:
@@ -153,7 +162,7 @@ def try_case(sponge, kills_asked, chance, scratch):
     if len(expected) < 10:
         fail(f"the uninterrupted run left only {sorted(expected)}")
 
-    stopped = interrupt(sponge, scratch / "stopped")
+    stopped = interrupt(sponge, scratch / "stopped", seconds)
     expect_same(stopped, expected, "Ctrl-C")
     expect_same(scratch / "stopped", expected, "damage to the last checkpoint")
     print("after Ctrl-C, and from the checkpoint before the last: the same bytes", flush=True)
