@@ -215,8 +215,7 @@ std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
 /// @param path the file of the later one
 /// @throws Error when the disk refuses it
 inline void return_to_previous_checkpoint(const std::filesystem::path& path) {
-    detail::give_second_name(path.string() + ".previous", AtomicFile::behind_links(path),
-                             "so does the later one");
+    detail::give_second_name(path.string() + ".previous", AtomicFile::behind_links(path), "so does the later one");
 }
 
 /// Writes the state of a scene to `path`: every field of every particle, their order and numbers, time, step count and
