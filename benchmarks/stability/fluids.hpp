@@ -269,7 +269,7 @@ Outcome settling_water(const Plan& plan, Rest& rest) {
                                      {"mean kinetic energy, last tenth over fifth", 2}},
                            .every = 50,
                            .expected_steps = end * c / dx};
-    double fifth = 0, last = 0, fifths = 0, lasts = 0; // sums of the kinetic energy over those tenths of the run
+    double fifth = 0, last = 0, fifths = 0, lasts = 0; // sums of the kinetic energy over tenths of the run, and counts
     return march(scene, plan, watch, [&](const auto& s) {
         const bool settled = s.time() > 3 * unit;
         const double kinetic = sph::kinetic_energy(s[water]);

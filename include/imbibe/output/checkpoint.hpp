@@ -159,7 +159,7 @@ inline constexpr const char* link_ending = ".link";
 
 /// Refuses a name beside which the checkpoint before could not be kept: file systems take names of 255 bytes.
 inline void require_short_name(const std::filesystem::path& path) {
-    constexpr std::size_t most = 255 - std::string_view(".previous.link").size();
+    constexpr std::size_t most = 255 - std::string_view(".previous").size() - std::string_view(link_ending).size();
     const auto name = path.filename().string();
     require(name.size() <= most, "the checkpoint's name ", name, " has ", name.size(), " bytes; it may have at most ",
             most, ", so that the one before it can be kept under a longer one. Give it a shorter name");
