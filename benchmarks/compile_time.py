@@ -19,6 +19,9 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.append(os.path.join(ROOT, "tools"))
+from marked_tables import put_row
+
 SPONGE = [f"examples/support/sponge_run_{name}.cpp"
           for name in ("paper_float", "paper_double", "sound_float", "sound_double")]
 FROM_A_PRESET = "examples/guides/from_a_preset.cpp"  # a dam break, too
@@ -80,18 +83,7 @@ class Page:
         self.path = path
 
     def put(self, table, cells):
-        with open(self.path) as file:
-            page = file.read()
-        begin, end = f"<!-- {table}: begin. Written by benchmarks/compile_time.py. -->\n", f"<!-- {table}: end -->"
-        if begin not in page or end not in page:
-            sys.exit(f"compile_time.py: the page has lost the marks around the table '{table}'")
-        before, rest = page.split(begin, 1)
-        rows, after = rest.split(end, 1)
-        row, rows = f"| {' | '.join(cells)} |", rows.splitlines()
-        alike = [k for k, old in enumerate(rows) if old.startswith(f"| {cells[0]} |")]
-        rows[alike[0] if alike else len(rows):alike[0] + 1 if alike else len(rows)] = [row]
-        with open(self.path, "w") as file:
-            file.write(before + begin + "\n".join([*rows, ""]) + end + after)
+        put_row(self.path, table, "benchmarks/compile_time.py", cells)
 
 
 def programs():

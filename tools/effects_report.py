@@ -19,9 +19,11 @@ import re
 
 from count_instructions import counts_of, output_of
 from benchmark_results import machine
+from marked_tables import with_table
 from tool_errors import end_with, read_text, write_text
 
 ROUNDS = 5
+TOOL = "tools/effects_report.py"
 
 
 def cases_of(program):
@@ -118,14 +120,6 @@ def check_counts(reach):
     return wrong
 
 
-def written_between_marks(page, name, text):
-    begin, end = f"<!-- {name}: begin. Written by tools/effects_report.py. -->\n", f"<!-- {name}: end -->"
-    if begin not in page or end not in page:
-        end_with(f"the page has lost the marks around the table '{name}'")
-    before, rest = page.split(begin, 1)
-    return before + begin + text + end + rest.split(end, 1)[1]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", help="where the programs effects and out_of_reach are")
@@ -143,8 +137,8 @@ def main():
         if wrong:
             end_with("; ".join(wrong) + "; write the page anew where this is meant to be")
         return
-    page = written_between_marks(page, "effects", table_of_effects(os.path.join(folder, "effects")))
-    page = written_between_marks(page, "reach", table_of_reach(os.path.join(folder, "out_of_reach")))
+    page = with_table(page, "effects", TOOL, table_of_effects(os.path.join(folder, "effects")))
+    page = with_table(page, "reach", TOOL, table_of_reach(os.path.join(folder, "out_of_reach")))
     write_text(arguments.page, page)
     print(f"wrote {arguments.page}")
 

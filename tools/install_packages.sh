@@ -7,8 +7,9 @@
 #   sh tools/install_packages.sh clang         for a build with clang++ as well
 #   sh tools/install_packages.sh benchmarks    for the benchmarks as well
 #   sh tools/install_packages.sh docs          for the documentation site as well
-#   sh tools/install_packages.sh browser       for a look at that site as well
+#   sh tools/install_packages.sh browser       for a look at that site, and at its links, as well
 #   sh tools/install_packages.sh studies       for tools/sponge_bars.py as well
+#   sh tools/install_packages.sh bare          for .ci/bare, which tries the README's commands on a bare Debian
 set -eu
 
 packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy python3-matplotlib"
@@ -17,10 +18,11 @@ for group in "$@"; do
         tests) packages="$packages python3-vtk9 pkg-config" ;;
         clang) packages="$packages clang libomp-dev libc++-dev libc++abi-dev" ;;
         benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind python3-psutil" ;;
-        docs) packages="$packages doxygen linkchecker" ;;
-        browser) packages="$packages chromium chromium-driver python3-selenium" ;;
+        docs) packages="$packages doxygen" ;;
+        browser) packages="$packages linkchecker chromium chromium-driver python3-selenium" ;;
         studies) packages="$packages python3-scipy" ;;
-        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks, docs, browser, studies" >&2; exit 2 ;;
+        bare) packages="$packages debootstrap" ;;
+        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks, docs, browser, studies, bare" >&2; exit 2 ;;
     esac
 done
 

@@ -2,7 +2,7 @@
 # (exported/), and imbibe itself with headers in a folder that is not under its prefix, which pkg-config must name.
 include(${CMAKE_CURRENT_LIST_DIR}/compile.cmake)
 file(REMOVE_RECURSE ${FOLDER})
-set(options -DCMAKE_CXX_COMPILER=${COMPILER} -DEigen3_DIR=${EIGEN_PACKAGE})
+set(options -G "${GENERATOR}" -DCMAKE_CXX_COMPILER=${COMPILER} -DEigen3_DIR=${EIGEN_PACKAGE})
 get_filename_component(source ${INCLUDE} DIRECTORY)
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/exported -B ${FOLDER}/exported -DIMBIBE_SOURCE=${source} ${options})

@@ -8,7 +8,7 @@ add_test(NAME consume_install
             -P ${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 set_tests_properties(consume_install PROPERTIES LABELS unit FIXTURES_SETUP imbibe_installed)
 
-foreach(way find_package add_subdirectory fetch_content)
+foreach(way find_package add_subdirectory fetch_content presets)
     add_test(NAME consume_${way}
         COMMAND ${CMAKE_CTEST_COMMAND}
             --build-and-test ${CMAKE_CURRENT_LIST_DIR}/${way} ${PROJECT_BINARY_DIR}/consume/${way}
@@ -21,7 +21,8 @@ foreach(way find_package add_subdirectory fetch_content)
     set_tests_properties(consume_${way} PROPERTIES LABELS unit TIMEOUT 900)
 endforeach()
 set_tests_properties(consume_find_package PROPERTIES FIXTURES_REQUIRED imbibe_installed)
-set_tests_properties(consume_add_subdirectory PROPERTIES FIXTURES_SETUP imbibe_presets_built COST 800)
+# All presets compiled take minutes: in .ci/run, with the examples, and not among the ordinary tests.
+set_tests_properties(consume_presets PROPERTIES LABELS examples FIXTURES_SETUP imbibe_presets_built)
 
 # Without CMake: single calls of the compiler. See the script of each.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
@@ -58,14 +59,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
         message(STATUS "Without libc++ there is no test of programs that use it")
     endif()
 endif()
-add_way(presets presets -DLIBRARY=${PROJECT_BINARY_DIR}/consume/add_subdirectory/imbibe/libimbibe_presets.a
+add_way(compiled_scene compiled_scene -DLIBRARY=${PROJECT_BINARY_DIR}/consume/presets/imbibe/libimbibe_presets.a
         -DTHREADS=${threads})
-set_tests_properties(consume_presets PROPERTIES FIXTURES_REQUIRED imbibe_presets_built)
+set_tests_properties(consume_compiled_scene PROPERTIES LABELS examples FIXTURES_REQUIRED imbibe_presets_built)
 add_way(two_options two_options "-DFAST=${fast}")
 set_tests_properties(consume_two_options PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive")
 add_way(pkg_config installed -DPREFIX=${prefix} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})
 set_tests_properties(consume_pkg_config PROPERTIES FIXTURES_REQUIRED imbibe_installed)
-add_way(folders folders -DPKG_CONFIG=${IMBIBE_PKG_CONFIG} -DEIGEN_PACKAGE=${Eigen3_DIR})
+add_way(folders folders -DGENERATOR=${CMAKE_GENERATOR} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG} -DEIGEN_PACKAGE=${Eigen3_DIR})
 if(IMBIBE_DPKG_DEB)
     add_way(package installed -DPACKAGE_OF=${PROJECT_BINARY_DIR} -DCPACK=${CMAKE_CPACK_COMMAND}
             -DDPKG_DEB=${IMBIBE_DPKG_DEB} "-DLINTIAN=$<$<BOOL:${IMBIBE_LINTIAN}>:${IMBIBE_LINTIAN}>"

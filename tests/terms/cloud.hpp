@@ -14,7 +14,7 @@ using Cloud = std::vector<Particle<dim, Number<double>, Material>>;
 
 /// A vector of the library from plain numbers.
 template <int dim>
-Vector<Number<double>, dim> vec(const Column<dim>& x) {
+Vector<Number<double>, dim> vec(const ColumnVector<dim>& x) {
     return from_eigen<Number<double>, dim>(x);
 }
 template <int dim>
@@ -30,11 +30,11 @@ Tensor<Number<double>, dim> tensor(const Matrix<dim>& m) {
 /// Position, reference position, mass, density and velocity (zero) are set.
 template <int dim, class Material>
 Cloud<dim, Material> block(const Material& material, int n, double jitter, unsigned seed = 1,
-                           const Column<dim>& origin = Column<dim>::Zero()) {
+                           const ColumnVector<dim>& origin = ColumnVector<dim>::Zero()) {
     Dice dice(seed);
     Cloud<dim, Material> all;
     for (int k = 0; k < (dim == 2 ? n * n : n * n * n); ++k) {
-        Column<dim> x = origin;
+        ColumnVector<dim> x = origin;
         for (int d = 0, rest = k; d < dim; ++d, rest /= n)
             x[d] += material.spacing * (rest % n + dice(-jitter, jitter));
         Particle<dim, Number<double>, Material> p(material);
@@ -49,7 +49,7 @@ Cloud<dim, Material> block(const Material& material, int n, double jitter, unsig
 /// The pair a, b where they are now, or (for parts that say so) where they were when the solid was stress-free.
 template <class Part, int dim, class A, class B>
 Pair<dim, Number<double>> geometry(const Particle<dim, Number<double>, A>& a, const Particle<dim, Number<double>, B>& b,
-                                   const Column<dim>& g = Column<dim>::Zero()) {
+                                   const ColumnVector<dim>& g = ColumnVector<dim>::Zero()) {
     const auto offset =
         detail::uses_reference<Part> ? a[reference_position] - b[reference_position] : a[position] - b[position];
     return {offset, norm(offset), SupportRadius(a.material.support_radius), from_eigen<double, dim>(g)};
@@ -58,7 +58,7 @@ Pair<dim, Number<double>> geometry(const Particle<dim, Number<double>, A>& a, co
 /// The sum of a pair part over all sources, themselves among them, for one target.
 template <class Part, int dim, class A, class B>
 auto sum(const Part& part, const Particle<dim, Number<double>, A>& a, const Cloud<dim, B>& sources,
-         const Column<dim>& g = Column<dim>::Zero()) {
+         const ColumnVector<dim>& g = ColumnVector<dim>::Zero()) {
     auto contribution_of = [&](const auto& b) {
         const auto ab = geometry<Part, dim>(a, b, g);
         return contribution(ab, part(a, b, ab));
@@ -108,7 +108,7 @@ double worst_departure_from_slope(const Push& push, const Cloud<dim, Material>& 
         for (int d = 0; d < dim; ++d) {
             const auto energy_at = [&](double step) {
                 auto moved = body;
-                Column<dim> x = plain(body[k][position]);
+                ColumnVector<dim> x = plain(body[k][position]);
                 x[d] += step;
                 moved[k].set(position, vec<dim>(x));
                 return energy(std::move(moved));

@@ -97,7 +97,7 @@ Pair<dim, T> pair_of(const Particle<dim, T, A>& a, const Particle<dim, T, B>& b,
 }
 
 template <int dim>
-using Column = Eigen::Matrix<double, dim, 1>;
+using ColumnVector = Eigen::Matrix<double, dim, 1>;
 template <int dim>
 using Matrix = Eigen::Matrix<double, dim, dim>;
 
@@ -107,8 +107,8 @@ double plain(const Pack<Real, width>& x, int lane = 0) {
     return static_cast<double>(x[lane]);
 }
 template <class T, int dim>
-Column<dim> plain(const Vector<T, dim>& v, int lane = 0) {
-    Column<dim> r;
+ColumnVector<dim> plain(const Vector<T, dim>& v, int lane = 0) {
+    ColumnVector<dim> r;
     for (int i = 0; i < dim; ++i)
         r[i] = plain(v[i], lane);
     return r;
@@ -236,7 +236,7 @@ double spiky(double r) {
     return spiky_norm<dim>() * std::pow(H - r, 3);
 }
 template <int dim>
-Column<dim> spiky_gradient(const Column<dim>& x) {
+ColumnVector<dim> spiky_gradient(const ColumnVector<dim>& x) {
     return -3 * spiky_norm<dim>() * std::pow(H - x.norm(), 2) / x.norm() * x;
 }
 template <int dim>

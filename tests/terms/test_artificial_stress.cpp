@@ -28,12 +28,12 @@ Matrix<dim> rotation(double angle) {
     if constexpr (dim == 2)
         Q << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
     else
-        Q = Eigen::AngleAxisd(angle, Column<3>(1, -2, 0.5).normalized()).toRotationMatrix();
+        Q = Eigen::AngleAxisd(angle, ColumnVector<3>(1, -2, 0.5).normalized()).toRotationMatrix();
     return Q;
 }
 
 template <int dim>
-Vector<Number<double>, dim> vector(const Column<dim>& v) {
+Vector<Number<double>, dim> vector(const ColumnVector<dim>& v) {
     return from_eigen<Number<double>, dim>(v);
 }
 
@@ -57,14 +57,14 @@ Particles<dim> turned(Particles<dim> all, const Matrix<dim>& Q) {
 }
 
 template <class Term, int dim>
-Column<dim> acceleration_of_first(Particles<dim> all) {
+ColumnVector<dim> acceleration_of_first(Particles<dim> all) {
     prepare(typename Term::Prepare{}, artificial_stress_over_density2, all);
     return plain(sum_over_neighbours(typename Term::Push{}, all));
 }
 
 // Eq. (17) component by component, Eq. (18) with the spiky kernel, the last part of Eq. (15).
 template <int dim>
-Column<dim> printed_form(const Particles<dim>& all, double epsilon, int n) {
+ColumnVector<dim> printed_form(const Particles<dim>& all, double epsilon, int n) {
     const auto R = [&](const auto& p) -> Matrix<dim> {
         const double rho = plain(p[density]);
         Matrix<dim> r;
@@ -73,7 +73,7 @@ Column<dim> printed_form(const Particles<dim>& all, double epsilon, int n) {
                 r(i, j) = sigma<dim>(p)(i, j) > 0 ? -epsilon * sigma<dim>(p)(i, j) / (rho * rho) : 0;
         return r;
     };
-    return sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double r) -> Column<dim> {
+    return sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double r) -> ColumnVector<dim> {
         const double f = std::pow(spiky<dim>(r) / spiky<dim>(5e-4), n);
         return plain(b[mass]) * (R(all.front()) + R(b)) * f * spiky_gradient<dim>(x);
     });
@@ -90,11 +90,11 @@ Matrix<dim> tension_by_sign(const Matrix<dim>& stress) {
 }
 
 template <int dim>
-Column<dim> principal_form(const Particles<dim>& all, double epsilon, int n) {
+ColumnVector<dim> principal_form(const Particles<dim>& all, double epsilon, int n) {
     const auto R = [&](const auto& p) -> Matrix<dim> {
         return -epsilon * tension_by_sign<dim>(sigma<dim>(p)) / std::pow(plain(p[density]), 2);
     };
-    return sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double r) -> Column<dim> {
+    return sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double r) -> ColumnVector<dim> {
         const double f = std::pow(poly6<dim>(r) / poly6<dim>(5e-4), n);
         return plain(b[mass]) * (R(all.front()) + R(b)) * f * spiky_gradient<dim>(x);
     });
@@ -118,8 +118,8 @@ void check_objectivity() {
     for (const double angle : {0.3, 0.8, 1.4, 2.5}) {
         const Matrix<dim> Q = rotation<dim>(angle);
         const auto error = [&]<class Term>(Term) {
-            const Column<dim> before = acceleration_of_first<Term, dim>(all);
-            const Column<dim> after = acceleration_of_first<Term, dim>(turned<dim>(all, Q));
+            const ColumnVector<dim> before = acceleration_of_first<Term, dim>(all);
+            const ColumnVector<dim> after = acceleration_of_first<Term, dim>(turned<dim>(all, Q));
             return relative_error(after, (Q * before).eval());
         };
         CHECK(error(ArtificialStress<Spiky>{}) < 1e-10);
@@ -148,10 +148,10 @@ TEST_CASE("principal tension of stresses with equal eigenvalues, and of none") {
     CHECK(plain(PrincipalAxes::tension(symmetric<3>(-2e4 * Matrix<3>::Identity()))).norm() == 0);
     CHECK(plain(PrincipalAxes::tension(S::zero())).norm() == 0);
     const Matrix<3> Q = rotation<3>(0.7);
-    const Matrix<3> two_equal = Q * Column<3>(3e4, 3e4, -1e4).asDiagonal() * Q.transpose();
-    const Matrix<3> expected = Q * Column<3>(3e4, 3e4, 0).asDiagonal() * Q.transpose();
+    const Matrix<3> two_equal = Q * ColumnVector<3>(3e4, 3e4, -1e4).asDiagonal() * Q.transpose();
+    const Matrix<3> expected = Q * ColumnVector<3>(3e4, 3e4, 0).asDiagonal() * Q.transpose();
     CHECK(relative_error(plain(PrincipalAxes::tension(symmetric<3>(two_equal))), expected) < 1e-8);
-    const Matrix<3> nearly = Q * Column<3>(3e4, 3e4 + 1e-3, -1e4).asDiagonal() * Q.transpose();
+    const Matrix<3> nearly = Q * ColumnVector<3>(3e4, 3e4 + 1e-3, -1e4).asDiagonal() * Q.transpose();
     CHECK(relative_error(plain(PrincipalAxes::tension(symmetric<3>(nearly))), expected) < 1e-6);
     // pure shear: half tension along one diagonal
     Matrix<2> shear;

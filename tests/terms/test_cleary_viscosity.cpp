@@ -21,11 +21,11 @@ Sponge soft() {
 
 /// The force on the particle in the middle of a shear v = 1e4 (n.x)^2 along t, in terms of the exact one.
 template <int dim>
-double shear(const Column<dim>& t, const Column<dim>& n) {
+double shear(const ColumnVector<dim>& t, const ColumnVector<dim>& n) {
     auto fluid = block<dim>(oil(), 9, 0);
     for (auto& p : fluid)
-        p.set(velocity, vec<dim>(1e4 * std::pow(n.dot(plain(p[position]) - Column<dim>::Constant(4e-3)), 2) * t));
-    const Column<dim> force = plain(sum(ClearyViscosity<>{}, fluid[fluid.size() / 2], fluid));
+        p.set(velocity, vec<dim>(1e4 * std::pow(n.dot(plain(p[position]) - ColumnVector<dim>::Constant(4e-3)), 2) * t));
+    const ColumnVector<dim> force = plain(sum(ClearyViscosity<>{}, fluid[fluid.size() / 2], fluid));
     CHECK((force - t.dot(force) * t).norm() < 1e-12 * force.norm());
     return t.dot(force) / (0.03 / 900 * 2e4);
 }
@@ -33,7 +33,7 @@ double shear(const Column<dim>& t, const Column<dim>& n) {
 // On a lattice the sum depends on the direction: too little along its axes, too much along its diagonals.
 template <int dim>
 void check_laplacian() {
-    Column<dim> x = Column<dim>::Unit(0), y = Column<dim>::Unit(1);
+    ColumnVector<dim> x = ColumnVector<dim>::Unit(0), y = ColumnVector<dim>::Unit(1);
     const double along_axis = shear<dim>(x, y);
     const double along_diagonal = shear<dim>((x + y).normalized(), (x - y).normalized());
     CAPTURE(along_axis, along_diagonal);
@@ -45,22 +45,24 @@ void check_laplacian() {
 template <int dim>
 void check_by_hand() {
     const auto a = block<dim>(oil(), 1, 0.2, 1).front();
-    auto b = block<dim>(brine(), 1, 0.2, 2, Column<dim>::Constant(1e-3)).front();
-    Column<dim> v = Column<dim>::Constant(0.3);
+    auto b = block<dim>(brine(), 1, 0.2, 2, ColumnVector<dim>::Constant(1e-3)).front();
+    ColumnVector<dim> v = ColumnVector<dim>::Constant(0.3);
     v[0] = -0.8;
     b.set(velocity, vec<dim>(v)).set(density, 1090.0);
-    const Column<dim> x = plain(a[position]) - plain(b[position]);
+    const ColumnVector<dim> x = plain(a[position]) - plain(b[position]);
     const double r = x.norm(), q = r / 4e-3, eta = 2 * 0.03 * 0.001 / 0.031;
     const double F = -20 * (dim == 2 ? 7 / pi : 21 / (2 * pi)) / std::pow(4e-3, dim + 2) * std::pow(1 - q, 3);
-    const Column<dim> expected = 2 * (dim + 2) * eta * plain(b[mass]) / (900 * 1090.0) * (-v).dot(x) / (r * r) * F * x;
-    const Column<dim> force = plain(sum(ClearyViscosity<>{}, a, std::vector{b}));
+    const ColumnVector<dim> expected =
+        2 * (dim + 2) * eta * plain(b[mass]) / (900 * 1090.0) * (-v).dot(x) / (r * r) * F * x;
+    const ColumnVector<dim> force = plain(sum(ClearyViscosity<>{}, a, std::vector{b}));
     CHECK((force - expected).norm() < 1e-12 * expected.norm());
 }
 
 template <int dim>
 void check_conservation() {
-    auto fluid = block<dim>(oil(), 3, 0.2, 1), other = block<dim>(brine(), 3, 0.2, 2, Column<dim>::Constant(5e-4));
-    auto solid = block<dim>(soft(), 3, 0.2, 3, Column<dim>::Constant(4e-4));
+    auto fluid = block<dim>(oil(), 3, 0.2, 1),
+         other = block<dim>(brine(), 3, 0.2, 2, ColumnVector<dim>::Constant(5e-4));
+    auto solid = block<dim>(soft(), 3, 0.2, 3, ColumnVector<dim>::Constant(4e-4));
     Dice dice(4);
     for (auto* phase : {&fluid, &other})
         for (auto& p : *phase)
@@ -71,8 +73,8 @@ void check_conservation() {
     CHECK(worst_imbalance(ClearyViscosity<>{}, fluid, solid) < 1e-14);
     double power = 0, torque = 0, size = 0;
     for (const auto& a : fluid) {
-        const Column<dim> x = plain(a[position]);
-        const Column<dim> f = plain(a[mass]) * plain(sum(ClearyViscosity<>{}, a, fluid));
+        const ColumnVector<dim> x = plain(a[position]);
+        const ColumnVector<dim> f = plain(a[mass]) * plain(sum(ClearyViscosity<>{}, a, fluid));
         power += plain(a[velocity]).dot(f);
         torque += x[0] * f[1] - x[1] * f[0];
         size += x.norm() * f.norm();

@@ -23,7 +23,7 @@ template <int dim, class Velocity, class Pressure>
 Cloud<dim, Water> corrected_block(int n, double jitter, Velocity v, Pressure p) {
     auto fluid = block<dim>(water_here(), n, jitter);
     for (auto& a : fluid) {
-        const Column<dim> x = plain(a[position]);
+        const ColumnVector<dim> x = plain(a[position]);
         a.set(volume, a[mass] / a[density]).set(velocity, vec<dim>(v(x))).set(pressure, p(x));
     }
     gather(CorrectionNeighbours<K>{}, moment_matrix, fluid, fluid);
@@ -43,8 +43,8 @@ Matrix<dim> shear() {
 template <int dim>
 void check_continuity() {
     const auto fluid = corrected_block<dim>(
-        dim == 2 ? 7 : 5, 0.2, [](const Column<dim>& x) { return Column<dim>(shear<dim>() * x); },
-        [](const Column<dim>&) { return 0; });
+        dim == 2 ? 7 : 5, 0.2, [](const ColumnVector<dim>& x) { return ColumnVector<dim>(shear<dim>() * x); },
+        [](const ColumnVector<dim>&) { return 0; });
     const double expected = -1000 * shear<dim>().trace();
     double worst = 0, plain_worst = 0;
     for (const auto& a : fluid) {
@@ -65,13 +65,13 @@ template <int dim>
 void check_pressure() {
     Dice dice(3);
     const auto fluid = corrected_block<dim>(
-        dim == 2 ? 6 : 4, 0.2, [&](const Column<dim>&) { return plain(dice.vector<dim>(2)); },
-        [&](const Column<dim>&) { return dice(500, 1500); });
-    Column<dim> force = Column<dim>::Zero();
+        dim == 2 ? 6 : 4, 0.2, [&](const ColumnVector<dim>&) { return plain(dice.vector<dim>(2)); },
+        [&](const ColumnVector<dim>&) { return dice(500, 1500); });
+    ColumnVector<dim> force = ColumnVector<dim>::Zero();
     double torque = 0, work = 0, compression = 0, size = 0, arm = 0;
     for (const auto& a : fluid) {
-        const Column<dim> x = plain(a[position]);
-        const Column<dim> f = plain(a[mass]) * plain(sum(CorrectedPressure<K>::Push{}, a, fluid));
+        const ColumnVector<dim> x = plain(a[position]);
+        const ColumnVector<dim> f = plain(a[mass]) * plain(sum(CorrectedPressure<K>::Push{}, a, fluid));
         force += f;
         torque += x[0] * f[1] - x[1] * f[0];
         size += f.norm();
@@ -86,13 +86,15 @@ void check_pressure() {
     CHECK(std::abs(work) > 1e-3 * size);
     // by hand, one pair
     const auto &a = fluid[0], &b = fluid[1];
-    const Column<dim> x = plain(a[position]) - plain(b[position]);
+    const ColumnVector<dim> x = plain(a[position]) - plain(b[position]);
     const double r = x.norm(), q = r / 3e-3;
     const double slope = -20 * (dim == 2 ? 7 / pi : 21 / (2 * pi)) / std::pow(3e-3, dim + 1) * q * std::pow(1 - q, 3);
     const Matrix<dim> stress =
         plain(a[pressure]) * plain(a[gradient_correction]) + plain(b[pressure]) * plain(b[gradient_correction]);
-    const Column<dim> expected = -plain(a[volume]) * plain(b[volume]) / plain(a[mass]) * (stress * (slope / r * x));
-    const Column<dim> found = plain(CorrectedPressure<K>::Push{}(a, b, geometry<CorrectedPressure<K>, dim>(a, b)));
+    const ColumnVector<dim> expected =
+        -plain(a[volume]) * plain(b[volume]) / plain(a[mass]) * (stress * (slope / r * x));
+    const ColumnVector<dim> found =
+        plain(CorrectedPressure<K>::Push{}(a, b, geometry<CorrectedPressure<K>, dim>(a, b)));
     CHECK((found - expected).norm() < 1e-10 * expected.norm());
 }
 
@@ -100,8 +102,9 @@ void check_pressure() {
 template <int dim>
 void check_viscosity() {
     const auto fluid = corrected_block<dim>(
-        9, 0, [](const Column<dim>& x) { return Column<dim>(Column<dim>::Unit(0) * (4e3 * x[1] * x[1])); },
-        [](const Column<dim>&) { return 0; });
+        9, 0,
+        [](const ColumnVector<dim>& x) { return ColumnVector<dim>(ColumnVector<dim>::Unit(0) * (4e3 * x[1] * x[1])); },
+        [](const ColumnVector<dim>&) { return 0; });
     const auto& middle = fluid[fluid.size() / 2];
     const double expected = 1e-3 * 8e3 / 1000;
     CHECK(plain(sum(CorrectedViscosity<K>{}, middle, fluid))[0] == Approx(expected).epsilon(1e-11));

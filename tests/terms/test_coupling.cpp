@@ -6,7 +6,7 @@
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/kernels/wendland.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <eigenvalues.hpp>
 
 namespace coupling_test {
 
@@ -31,17 +31,17 @@ void check_pairwise_balance() {
         const auto fs = pair_of(f, s), sf = pair_of(s, f);
         const double mf = plain(f[mass]), ms = plain(s[mass]), rf = plain(f[density]), rs = plain(s[density]);
         const double Vf = mf / rf, Vs = ms / rs;
-        const Column<dim> x = plain(fs.offset);
+        const ColumnVector<dim> x = plain(fs.offset);
 
-        const Column<dim> pressure_force =
+        const ColumnVector<dim> pressure_force =
             -mf * ms * (plain(f[pressure]) / (rf * rf) + plain(s[pressure]) / (rs * rs)) * spiky_gradient<dim>(x);
-        const Column<dim> viscous_force =
+        const ColumnVector<dim> viscous_force =
             3.5e-3 * Vf * Vs * (plain(s[velocity]) - plain(f[velocity])) * viscosity_laplacian<dim>(x.norm());
-        const Column<dim> repulsive_force = -1e8 * Vf * Vs * spiky_gradient<dim>(x);
+        const ColumnVector<dim> repulsive_force = -1e8 * Vf * Vs * spiky_gradient<dim>(x);
 
-        const auto check = [&](const auto& term, const Column<dim>& force) {
-            const Column<dim> on_f = mf * plain(contribution(fs, term(f, s, fs)));
-            const Column<dim> on_s = ms * plain(contribution(sf, term(s, f, sf)));
+        const auto check = [&](const auto& term, const ColumnVector<dim>& force) {
+            const ColumnVector<dim> on_f = mf * plain(contribution(fs, term(f, s, fs)));
+            const ColumnVector<dim> on_s = ms * plain(contribution(sf, term(s, f, sf)));
             REQUIRE(relative_error(on_f, force) < 1e-11);
             REQUIRE((on_f + on_s).norm() < 1e-15 * force.norm()); // a few roundings each
         };
@@ -70,7 +70,7 @@ TEST_CASE("KernelRepulsion is the mended Eq. (24): 4.5e7 m/s^2 a neighbour, and 
     s.set(position, {0.5 * H, 0, 0}).set(mass, 950 * std::pow(5e-4, 3)).set(density, 950);
     const KernelRepulsion<> term;
     const auto ab = pair_of(f, s);
-    const Column<3> push = plain(contribution(ab, term(f, s, ab)));
+    const ColumnVector<3> push = plain(contribution(ab, term(f, s, ab)));
     CHECK(push[0] == Approx(-4.5e7).epsilon(0.01));
     CHECK(push[1] == 0);
     CHECK(plain(contribution(pair_of(s, f), term(s, f, pair_of(s, f))))[0] > 0);
@@ -178,7 +178,7 @@ double lattice_frequency(double reach, double K) {
         M sum = M::Zero();
         for (const auto& [x, stiffness] : pairs)
             sum += (1 - std::cos(pi / waves * wave.dot(x))) * stiffness;
-        highest = std::max(highest, Eigen::SelfAdjointEigenSolver<M>(sum).eigenvalues().maxCoeff());
+        highest = std::max(highest, imbibe_test::greatest_eigenvalue(sum));
     });
     return std::sqrt(highest / (1000 * cell));
 }

@@ -1,5 +1,5 @@
-// FiniteStrainLimit: how much faster waves are in a strained solid, against second derivatives of the stored energy, and
-// the longest step that a strained block bears as a share of the limit, against that of the undeformed one.
+// FiniteStrainLimit: how much faster waves are in a strained solid, against second derivatives of the stored energy,
+// and the longest step that a strained block bears as a share of the limit, against that of the undeformed one.
 #include <catch_shim.hpp>
 
 #include <imbibe/geometry/box.hpp>
@@ -119,8 +119,8 @@ template <class Law>
 struct Block : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<>, Law, sph::TotalLagrangianForce<>,
                           sph::HourglassControl<>, sph::Clamped> {};
 
-// A square (cube) whose two outer layers are held, stretched to `stretch` of its length each way: the longest step that it
-// bears, as a share of the limit of its law.
+// A square (cube) whose two outer layers are held, stretched to `stretch` of its length each way: the longest step that
+// it bears, as a share of the limit of its law.
 template <class Law, int dim>
 double borne(double poisson, double support, const std::array<double, dim>& stretch) {
     const double spacing = 0.1, length = (dim == 2 ? 14 : 9) * spacing, edge = 2.01 * spacing;
@@ -138,7 +138,8 @@ double borne(double poisson, double support, const std::array<double, dim>& stre
     scene.prepare();
     scene.step(1e-9); // then the strains are known
     const auto limits = scene.time_step_limits();
-    const auto wave = std::find_if(limits.begin(), limits.end(), [](const auto& l) { return l.reason == "elastic wave"; });
+    const auto wave =
+        std::find_if(limits.begin(), limits.end(), [](const auto& l) { return l.reason == "elastic wave"; });
     REQUIRE(wave != limits.end());
     return sph::longest_stable_step(scene) / wave->seconds;
 }
@@ -160,9 +161,15 @@ void check_block(double poisson, double support, const std::array<double, dim>& 
 using namespace finite_strain_test;
 
 TEST_CASE("the fastest wave of a strained solid is that of the second derivatives of its energy, or a little faster") {
-    SECTION("neo-Hookean") { check_law<sph::NeoHookean>(); }
-    SECTION("St. Venant and Kirchhoff") { check_law<sph::StVenantKirchhoff>(); }
-    SECTION("nearly incompressible") { check_law<sph::VolumetricDeviatoric<>>(); }
+    SECTION("neo-Hookean") {
+        check_law<sph::NeoHookean>();
+    }
+    SECTION("St. Venant and Kirchhoff") {
+        check_law<sph::StVenantKirchhoff>();
+    }
+    SECTION("nearly incompressible") {
+        check_law<sph::VolumetricDeviatoric<>>();
+    }
 }
 
 TEST_CASE("a block held at great strains bears the same share of FiniteStrainLimit at any of them") {

@@ -7,7 +7,7 @@
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/kernels/kernels.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <eigenvalues.hpp>
 
 namespace fluid_test {
 
@@ -28,10 +28,10 @@ void check_continuity() {
     const auto& a = all.front();
     for (const bool smooth : {false, true}) {
         const auto v = [smooth](const auto& p) { return plain(smooth ? p[smoothed_velocity] : p[velocity]); };
-        const double by_mass = sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double) {
+        const double by_mass = sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double) {
             return plain(b[mass]) * (v(a) - v(b)).dot(spiky_gradient<dim>(x));
         });
-        const double by_volume = sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double) {
+        const double by_volume = sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double) {
             return plain(a[density]) * plain(b[mass]) / plain(b[density]) * (v(a) - v(b)).dot(spiky_gradient<dim>(x));
         });
         const double one = smooth ? plain(sum_over_neighbours(Continuity<Spiky, smoothed_velocity>{}, all))
@@ -52,10 +52,11 @@ void check_pressure() {
     const auto& a = all.front();
     const double rho = plain(a[density]);
     CHECK(plain(a[pressure_over_density2]) == Approx(plain(a[pressure]) / (rho * rho)).epsilon(1e-14));
-    const Column<dim> by_hand = sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double) -> Column<dim> {
-        const double pa = plain(a[pressure]), pb = plain(b[pressure]), rho_b = plain(b[density]);
-        return -plain(b[mass]) * (pa / (rho * rho) + pb / (rho_b * rho_b)) * spiky_gradient<dim>(x);
-    });
+    const ColumnVector<dim> by_hand =
+        sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double) -> ColumnVector<dim> {
+            const double pa = plain(a[pressure]), pb = plain(b[pressure]), rho_b = plain(b[density]);
+            return -plain(b[mass]) * (pa / (rho * rho) + pb / (rho_b * rho_b)) * spiky_gradient<dim>(x);
+        });
     CHECK(relative_error(plain(sum_over_neighbours(SymmetricPressure<Spiky>::Push{}, all)), by_hand) < tight);
 }
 
@@ -64,10 +65,11 @@ void check_laminar_viscosity() {
     Dice dice(20 + dim);
     const auto all = dice.cluster<dim>(water());
     const auto& a = all.front();
-    const Column<dim> by_hand = sum_by_hand(all, [&](const auto& b, const Column<dim>&, double r) -> Column<dim> {
-        return 3.5e-3 / plain(a[density]) * plain(b[mass]) / plain(b[density]) *
-               (plain(b[velocity]) - plain(a[velocity])) * viscosity_laplacian<dim>(r);
-    });
+    const ColumnVector<dim> by_hand =
+        sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>&, double r) -> ColumnVector<dim> {
+            return 3.5e-3 / plain(a[density]) * plain(b[mass]) / plain(b[density]) *
+                   (plain(b[velocity]) - plain(a[velocity])) * viscosity_laplacian<dim>(r);
+        });
     const LaminarViscosity<LaplacianKernel<dim>> term;
     CHECK(relative_error(plain(sum_over_neighbours(term, all)), by_hand) < tight);
     // the mended sign takes energy: the relative motion of a pair is braked
@@ -82,13 +84,14 @@ void check_artificial_viscosity(double alpha, double beta) {
     const auto& a = all.front();
     int approaching = 0, receding = 0;
     // the paper's sign: plus before the sum, Pi = + alpha c mu / rho for mu < 0; beta with the same sign as |mu| alpha
-    const Column<dim> by_hand = sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double r) -> Column<dim> {
-        const double mu = H * (plain(a[velocity]) - plain(b[velocity])).dot(x) / (r * r + 0.01 * H * H);
-        const double rho = (plain(a[density]) + plain(b[density])) / 2;
-        ++(mu < 0 ? approaching : receding);
-        const double Pi = mu < 0 ? (alpha * 31.6 * mu - beta * mu * mu) / rho : 0;
-        return plain(b[mass]) * Pi * spiky_gradient<dim>(x);
-    });
+    const ColumnVector<dim> by_hand =
+        sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double r) -> ColumnVector<dim> {
+            const double mu = H * (plain(a[velocity]) - plain(b[velocity])).dot(x) / (r * r + 0.01 * H * H);
+            const double rho = (plain(a[density]) + plain(b[density])) / 2;
+            ++(mu < 0 ? approaching : receding);
+            const double Pi = mu < 0 ? (alpha * 31.6 * mu - beta * mu * mu) / rho : 0;
+            return plain(b[mass]) * Pi * spiky_gradient<dim>(x);
+        });
     MonaghanViscosity<Spiky> term;
     term.parameters = {.alpha = alpha, .beta = beta};
     CHECK(relative_error(plain(sum_over_neighbours(term, all)), by_hand) < tight);
@@ -146,16 +149,14 @@ double room_under_the_limit(double spacing) {
     for_each_wave<dim>(spacing, [&](const Eigen::Vector3d& k) {
         Matrix<dim> brake = Matrix<dim>::Zero();
         for_each_on_lattice<dim>(spacing, [&](const Eigen::Vector3d& x) {
-            const Column<dim> n = x.normalized().template head<dim>();
+            const ColumnVector<dim> n = x.normalized().template head<dim>();
             b.set(position, from_eigen<Number<double>, dim>(x.template head<dim>()));
             a.set(velocity, from_eigen<Number<double>, dim>(n)); // towards b at unit speed
             const auto ab = pair_of(a, b);
-            const Column<dim> push = plain(contribution(ab, term(a, b, ab)));
+            const ColumnVector<dim> push = plain(contribution(ab, term(a, b, ab)));
             brake += 0.5 * push.norm() * (1 - std::cos(k.dot(x))) * n * n.transpose();
         });
-        Eigen::SelfAdjointEigenSolver<Matrix<dim>> rates;
-        rates.computeDirect(brake, Eigen::EigenvaluesOnly);
-        fastest = std::max(fastest, rates.eigenvalues().maxCoeff());
+        fastest = std::max(fastest, imbibe_test::greatest_eigenvalue(brake));
     });
     const TimeStepInput in{H, spacing * H, 0, 0, dim};
     return 2 / fastest / MonaghanViscosity<Kernel>::time_step_limit(material, in, {});

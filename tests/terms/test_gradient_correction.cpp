@@ -19,8 +19,8 @@ Water water_here() {
 }
 
 template <int dim>
-Column<dim> slope() {
-    Column<dim> s = Column<dim>::Constant(300);
+ColumnVector<dim> slope() {
+    ColumnVector<dim> s = ColumnVector<dim>::Constant(300);
     s[0] = -2000;
     return s;
 }
@@ -40,7 +40,7 @@ void correct(Cloud<dim, Water>& fluid, Field_ rho) {
 template <int dim>
 void check_linear() {
     auto fluid = block<dim>(water_here(), dim == 2 ? 7 : 5, 0.15);
-    correct<dim>(fluid, [](const Column<dim>& x) { return 1000 + slope<dim>().dot(x); });
+    correct<dim>(fluid, [](const ColumnVector<dim>& x) { return 1000 + slope<dim>().dot(x); });
     double worst = 0, raw = 0, rate = 0, plain_rate = 0;
     for (const auto& a : fluid) {
         worst = std::max(worst, (plain(a[density_gradient]) - slope<dim>()).norm() / slope<dim>().norm());
@@ -59,7 +59,7 @@ template <int dim>
 void check_balance() {
     auto fluid = block<dim>(water_here(), 4, 0.2, 3);
     Dice dice(4);
-    correct<dim>(fluid, [&](const Column<dim>&) { return dice(990, 1010); });
+    correct<dim>(fluid, [&](const ColumnVector<dim>&) { return dice(990, 1010); });
     double total = 0, size = 0;
     for (const auto& a : fluid) {
         const double gain = plain(a[volume]) * plain(sum(Diffusion::Smooth{}, a, fluid));
@@ -69,7 +69,7 @@ void check_balance() {
     CHECK(std::abs(total) < 1e-13 * size);
     // by hand, one pair
     const auto &a = fluid[0], &b = fluid[1];
-    const Column<dim> x = plain(b[position]) - plain(a[position]);
+    const ColumnVector<dim> x = plain(b[position]) - plain(a[position]);
     const double r = x.norm(), q = r / 3e-3;
     const double slope_of_W =
         -20 * (dim == 2 ? 7 / pi : 21 / (2 * pi)) / std::pow(3e-3, dim + 1) * q * std::pow(1 - q, 3);
@@ -85,9 +85,9 @@ template <int dim>
 void check_alone() {
     auto drop = block<dim>(water_here(), 1, 0); // one particle, and two
     auto pair = block<dim>(water_here(), 1, 0);
-    pair.push_back(block<dim>(water_here(), 1, 0, 1, Column<dim>::Unit(0) * 1e-3).front());
+    pair.push_back(block<dim>(water_here(), 1, 0, 1, ColumnVector<dim>::Unit(0) * 1e-3).front());
     for (auto* fluid : {&drop, &pair}) {
-        correct<dim>(*fluid, [](const Column<dim>& x) { return 1000 + slope<dim>().dot(x); });
+        correct<dim>(*fluid, [](const ColumnVector<dim>& x) { return 1000 + slope<dim>().dot(x); });
         for (const auto& a : *fluid) {
             CHECK((plain(a[gradient_correction]) - Matrix<dim>::Identity()).norm() < 1e-12);
             CHECK(std::isfinite(plain(sum(Diffusion::Smooth{}, a, *fluid))));

@@ -20,8 +20,8 @@ Sponge soft() {
     return {.density = 950, .sound_speed = 10, .shear_modulus = 1e4, .support_radius = 3e-3, .spacing = 1e-3};
 }
 template <int dim>
-Column<dim> along_x(double x) {
-    Column<dim> v = Column<dim>::Zero();
+ColumnVector<dim> along_x(double x) {
+    ColumnVector<dim> v = ColumnVector<dim>::Zero();
     v[0] = x;
     return v;
 }
@@ -29,17 +29,18 @@ constexpr double reach = 3e-3;
 
 // The gradient of Wendland's C2 kernel by hand.
 template <int dim>
-Column<dim> wendland_gradient(const Column<dim>& x) {
+ColumnVector<dim> wendland_gradient(const ColumnVector<dim>& x) {
     const double q = x.norm() / reach, norm = dim == 2 ? 7 / pi : 21 / (2 * pi);
-    return q < 1 && q > 0 ? Column<dim>(-norm / std::pow(reach, dim + 1) * 20 * q * std::pow(1 - q, 3) * x / x.norm())
-                          : Column<dim>::Zero();
+    return q < 1 && q > 0
+               ? ColumnVector<dim>(-norm / std::pow(reach, dim + 1) * 20 * q * std::pow(1 - q, 3) * x / x.norm())
+               : ColumnVector<dim>::Zero();
 }
 
 template <int dim>
 void check_repulsion() {
     Dice dice(1);
     auto fluid = block<dim>(liquid(), 3, 0.3, 1);
-    auto solid = block<dim>(soft(), 3, 0.3, 2, Column<dim>::Constant(0.4e-3));
+    auto solid = block<dim>(soft(), 3, 0.3, 2, ColumnVector<dim>::Constant(0.4e-3));
     for (auto* all : {&fluid})
         for (auto& p : *all)
             p.set(velocity, dice.vector<dim>(1));
@@ -49,12 +50,13 @@ void check_repulsion() {
     int near = 0, parting = 0;
     for (const auto& a : fluid)
         for (const auto& b : solid) {
-            const Column<dim> x = plain(a[position]) - plain(b[position]), v = plain(a[velocity]) - plain(b[velocity]);
+            const ColumnVector<dim> x = plain(a[position]) - plain(b[position]),
+                                    v = plain(a[velocity]) - plain(b[velocity]);
             const double r = x.norm(), r0 = 0.9e-3, share = v.dot(x) > 0 ? 0.25 : 1, m = plain(b[mass]);
-            const Column<dim> expected =
-                r < r0 ? Column<dim>(m / (m + plain(a[mass])) * 1.5 * 4 / r0 * std::pow(1 - r / r0, 2) * share * x / r)
-                       : Column<dim>::Zero();
-            const Column<dim> got = given(push, a, b) / plain(a[mass]);
+            const ColumnVector<dim> expected = r < r0 ? ColumnVector<dim>(m / (m + plain(a[mass])) * 1.5 * 4 / r0 *
+                                                                          std::pow(1 - r / r0, 2) * share * x / r)
+                                                      : ColumnVector<dim>::Zero();
+            const ColumnVector<dim> got = given(push, a, b) / plain(a[mass]);
             CHECK((got - expected).norm() <= 1e-12 * expected.norm());
             near += r < r0;
             parting += r < r0 && share < 1;
@@ -117,7 +119,7 @@ void check_normals() {
         CHECK((plain(body[at(0, n / 2)][surface_normal]) - along_x<dim>(-1)).norm() < 1e-12);
         CHECK((plain(body[at(n - 1, n / 2)][surface_normal]) - along_x<dim>(1)).norm() < 1e-12);
         CHECK(plain(body[at(n / 2, n / 2)][surface_normal]).norm() == 0); // inside
-        const Column<dim> corner = plain(body[at(0, 0)][surface_normal]);
+        const ColumnVector<dim> corner = plain(body[at(0, 0)][surface_normal]);
         CHECK(corner[0] == Approx(-std::sqrt(0.5)));
         CHECK(corner[1] == Approx(-std::sqrt(0.5)));
     }
@@ -125,7 +127,7 @@ void check_normals() {
     Matrix<dim> F = one;
     F(0, 0) = 1.1, F(0, 1) = 0.4, F(1, 0) = 0.2;
     const auto body = slab<dim>(F, true);
-    const Column<dim> normal = plain(body[at(0, n / 2)][surface_normal]);
+    const ColumnVector<dim> normal = plain(body[at(0, n / 2)][surface_normal]);
     CHECK(normal.norm() == Approx(1));
     CHECK(normal[0] < 0);
     for (int d = 1; d < dim; ++d)
@@ -147,12 +149,12 @@ void check_surface_pressure() {
     double worst = 0;
     for (const auto& f : fluid)
         for (const auto& s : solid) {
-            const Column<dim> g = wendland_gradient<dim>(plain(s[position]) - plain(f[position]));
+            const ColumnVector<dim> g = wendland_gradient<dim>(plain(s[position]) - plain(f[position]));
             if (g.norm() == 0)
                 continue;
-            const Column<dim> n = plain(s[surface_normal]);
-            const Column<dim> expected = -plain(f[volume]) * plain(s[volume]) * 2 * plain(f[pressure]) *
-                                         (n * n.dot(g) + (1 - n.squaredNorm()) * g);
+            const ColumnVector<dim> n = plain(s[surface_normal]);
+            const ColumnVector<dim> expected = -plain(f[volume]) * plain(s[volume]) * 2 * plain(f[pressure]) *
+                                               (n * n.dot(g) + (1 - n.squaredNorm()) * g);
             worst = std::max(worst, (given(push, s, f) - expected).norm() /
                                         (plain(f[volume]) * plain(s[volume]) * 500 * steep));
         }
@@ -171,7 +173,7 @@ void check_force_on_a_face() {
     for (auto& p : solid)
         p.set(volume, p[mass] / p[density]);
     // what the middle row of the face bears, with all particles behind it
-    Column<dim> force = Column<dim>::Zero();
+    ColumnVector<dim> force = ColumnVector<dim>::Zero();
     const SurfaceNormalPressure<>::Push push;
     for (const auto& s : solid) {
         bool middle = true;
@@ -272,7 +274,7 @@ TEST_CASE("the sum of a surface normal counts the volumes that particles have no
     const auto a = block<3>(soft(), 1, 0).front();
     auto b = block<3>(soft(), 1, 0, 1, along_x<3>(1.2e-3)).front();
     b.set(density, 800.0);
-    const Column<3> expected = -950 * 1e-9 / 800 * wendland_gradient<3>(along_x<3>(-1.2e-3));
+    const ColumnVector<3> expected = -950 * 1e-9 / 800 * wendland_gradient<3>(along_x<3>(-1.2e-3));
     CHECK((plain(sum(SurfaceNormal<>::Sum{}, a, Cloud<3, Sponge>{b})) - expected).norm() < 1e-12 * expected.norm());
 }
 

@@ -29,20 +29,21 @@ template <int dim>
 void check_laplacian() {
     auto fluid = block<dim>(oil(), 9, 0);
     for (auto& p : fluid) {
-        Column<dim> v = Column<dim>::Zero();
+        ColumnVector<dim> v = ColumnVector<dim>::Zero();
         v[0] = 1e4 * std::pow(plain(p[position])[1] - 4e-3, 2);
         p.set(velocity, vec<dim>(v));
     }
     const auto& centre = fluid[fluid.size() / 2];
-    const Column<dim> force = plain(sum(MorrisViscosity<>{}, centre, fluid));
+    const ColumnVector<dim> force = plain(sum(MorrisViscosity<>{}, centre, fluid));
     CHECK(force[0] == Approx(0.03 / 900 * 2e4).epsilon(0.02));
     CHECK(force.template tail<dim - 1>().norm() < 1e-12 * force.norm());
 }
 
 template <int dim>
 void check_balance() {
-    auto fluid = block<dim>(oil(), 3, 0.2, 1), other = block<dim>(brine(), 3, 0.2, 2, Column<dim>::Constant(5e-4));
-    auto wall = block<dim>(soft(), 3, 0.2, 3, Column<dim>::Constant(4e-4));
+    auto fluid = block<dim>(oil(), 3, 0.2, 1),
+         other = block<dim>(brine(), 3, 0.2, 2, ColumnVector<dim>::Constant(5e-4));
+    auto wall = block<dim>(soft(), 3, 0.2, 3, ColumnVector<dim>::Constant(4e-4));
     Dice dice(4);
     for (auto* phase : {&fluid, &other})
         for (auto& p : *phase)
@@ -62,18 +63,18 @@ void check_balance() {
 
 template <int dim>
 void check_reflection() {
-    Column<dim> below = Column<dim>::Zero(), U = Column<dim>::Zero();
+    ColumnVector<dim> below = ColumnVector<dim>::Zero(), U = ColumnVector<dim>::Zero();
     below[1] = -3e-3;
     U[0] = 0.7;
     auto fluid = block<dim>(oil(), 3, 0.2, 1);
     auto wall = block<dim>(bed(), 3, 0.2, 2, below);
-    const Column<dim> moving = Column<dim>::Constant(0.1);
+    const ColumnVector<dim> moving = ColumnVector<dim>::Constant(0.1);
     for (auto& p : fluid)
         p.set(velocity, vec<dim>(U));
     for (auto& p : wall)
         p.set(velocity, vec<dim>(moving));
     // one that sees no fluid
-    Column<dim> away = Column<dim>::Constant(-1);
+    ColumnVector<dim> away = ColumnVector<dim>::Constant(-1);
     wall.push_back(block<dim>(bed(), 1, 0, 1, away).front());
     wall.back().set(velocity, vec<dim>(moving));
     for (auto& a : wall) {
@@ -85,8 +86,8 @@ void check_reflection() {
             total += s;
         }
         a.set(no_slip_weight, weight).set(no_slip_sum, total);
-        const Column<dim> shown = plain(NoSlipVelocity<>::Reflect{}(a));
-        const Column<dim> expected = plain(weight) > 0 ? Column<dim>(2 * moving - U) : moving;
+        const ColumnVector<dim> shown = plain(NoSlipVelocity<>::Reflect{}(a));
+        const ColumnVector<dim> expected = plain(weight) > 0 ? ColumnVector<dim>(2 * moving - U) : moving;
         CHECK((shown - expected).norm() < 1e-14);
     }
     CHECK(plain(wall.front()[no_slip_weight]) > 0);
@@ -128,7 +129,8 @@ TEST_CASE("NoSlipVelocity reflects the fluid's velocity about the wall's") {
 TEST_CASE("the limit of MorrisViscosity is 0.055 H^2/nu, and infinite without viscosity") {
     const TimeStepInput in{4e-3, 1e-3, 1, 1, 3};
     CHECK(MorrisViscosity<>::time_step_limit(oil(), in) == Approx(16e-6 / (1.3 * 14 * 0.03 / 900)).epsilon(1e-4));
-    CHECK(MorrisViscosity<>::time_step_limit(oil(), bed(), in) == Approx(16e-6 / (1.3 * 14 * 0.03 / 900)).epsilon(1e-4));
+    CHECK(MorrisViscosity<>::time_step_limit(oil(), bed(), in) ==
+          Approx(16e-6 / (1.3 * 14 * 0.03 / 900)).epsilon(1e-4));
     Water inviscid = oil();
     inviscid.viscosity = 0;
     CHECK(std::isinf(MorrisViscosity<>::time_step_limit(inviscid, in)));

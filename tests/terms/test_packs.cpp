@@ -109,11 +109,10 @@ void check_part() {
     seen.check(static_cast<double>(std::numeric_limits<Real>::epsilon()));
 }
 
-using InPacks =
-    TypeList<LinearState, Tait<7>, Volume, SymmetricPressure<Spiky>::Prepare, StressForce<Spiky>::Prepare, JaumannStress,
-             HughesWingetStress<>, ParticleShifting<>::Detect, ParticleShifting<>::Shift, AntuonoDiffusion<>::Correct,
-             Displacement, DeformationGradient<>::Correct, StVenantKirchhoff, NeoHookean, CauchyStress,
-             TotalLagrangianForce<>::Prepare, Xsph<Poly6>::Smooth, XsphTransport>;
+using InPacks = TypeList<LinearState, Tait<7>, Volume, SymmetricPressure<Spiky>::Prepare, StressForce<Spiky>::Prepare,
+                         JaumannStress, HughesWingetStress<>, ParticleShifting<>::Detect, ParticleShifting<>::Shift,
+                         AntuonoDiffusion<>::Correct, Displacement, DeformationGradient<>::Correct, StVenantKirchhoff,
+                         NeoHookean, CauchyStress, TotalLagrangianForce<>::Prepare, Xsph<Poly6>::Smooth, XsphTransport>;
 
 /// Gives a particle some number for every field of Part's that it has none for.
 template <int dim, class P, class... F>
@@ -153,9 +152,7 @@ void check_particle_function() {
 template <class Real, int width, int dim>
 void check_every_part() {
     INFO(width << " numbers of " << sizeof(Real) << " bytes in " << dim << "D");
-    [&]<class... Part>(TypeList<Part...>) {
-        (check_particle_function<Real, width, dim, Part>(), ...);
-    }(InPacks{});
+    [&]<class... Part>(TypeList<Part...>) { (check_particle_function<Real, width, dim, Part>(), ...); }(InPacks{});
     for_each_case(EveryPairPart<dim>{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
     for_each_case(OtherPairParts{}, []<class C>(C) { check_part<Real, width, dim, C>(); });
 }

@@ -64,12 +64,12 @@ void check_equation() {
     double worst = 0;
     for (const auto& a : body)
         for (const auto& b : body) {
-            const Column<dim> X = plain(a[reference_position]) - plain(b[reference_position]),
-                              x = plain(a[position]) - plain(b[position]);
+            const ColumnVector<dim> X = plain(a[reference_position]) - plain(b[reference_position]),
+                                    x = plain(a[position]) - plain(b[position]);
             const double q = X.norm() / reach, norm = dim == 2 ? 7 / pi : 21 / (2 * pi);
             const double slope = q < 1 ? -20 * norm * std::pow(1 - q, 3) / std::pow(reach, dim + 2) : 0;
-            const Column<dim> expected = plain(a[mass]) * plain(b[mass]) / (950.0 * 950.0) * slope *
-                                         ((T(a) + T(b)) * X + 1.3 * G * (scale(a) + scale(b)) * x);
+            const ColumnVector<dim> expected = plain(a[mass]) * plain(b[mass]) / (950.0 * 950.0) * slope *
+                                               ((T(a) + T(b)) * X + 1.3 * G * (scale(a) + scale(b)) * x);
             const double size = std::pow(plain(a[mass]) / 950, 2) * norm / std::pow(reach, dim + 1) * K;
             worst = std::max(worst, (given(push, a, b) - expected).norm() / size);
         }
@@ -81,7 +81,7 @@ template <int dim>
 void check_rest_and_rotation() {
     auto body = lattice<dim>(4, 0.2);
     const double scale = G / (950 * reach);
-    move(body, [](const Column<dim>&) -> Column<dim> { return Column<dim>::Constant(7e-3); });
+    move(body, [](const ColumnVector<dim>&) -> ColumnVector<dim> { return ColumnVector<dim>::Constant(7e-3); });
     for (const auto& p : body)
         CHECK(plain(sum(Term::Push{}, p, body)).norm() < 1e-9 * scale);
     Matrix<dim> R;
@@ -89,7 +89,7 @@ void check_rest_and_rotation() {
         R = Eigen::Rotation2Dd(2.1).toRotationMatrix();
     else
         R = Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-    move(body, [&](const Column<dim>& X) -> Column<dim> { return R * X - X; });
+    move(body, [&](const ColumnVector<dim>& X) -> ColumnVector<dim> { return R * X - X; });
     for (const auto& p : body)
         CHECK(plain(sum(Term::Push{}, p, body)).norm() < 1e-9 * scale);
 }
@@ -98,12 +98,12 @@ void check_rest_and_rotation() {
 template <int dim>
 void check_shear() {
     auto body = lattice<dim>(9, 0);
-    move(body, [](const Column<dim>& X) -> Column<dim> {
-        Column<dim> u = Column<dim>::Zero();
+    move(body, [](const ColumnVector<dim>& X) -> ColumnVector<dim> {
+        ColumnVector<dim> u = ColumnVector<dim>::Zero();
         u[0] = 1e-3 * X[1] * X[1] / 4e-3;
         return u;
     });
-    const Column<dim> force = plain(sum(Term::Push{}, body[body.size() / 2], body));
+    const ColumnVector<dim> force = plain(sum(Term::Push{}, body[body.size() / 2], body));
     const double expected = 1.07 * G / 950 * 2 * 0.25;
     CAPTURE(force[0] / expected);
     CHECK(force[0] == Approx(expected).epsilon(0.05)); // the Laplacian of a lattice
@@ -113,14 +113,14 @@ void check_shear() {
 template <int dim>
 void check_alternating() {
     auto body = lattice<dim>(9, 0);
-    const auto sign = [](const Column<dim>& X) {
+    const auto sign = [](const ColumnVector<dim>& X) {
         int k = 0;
         for (int d = 0; d < dim; ++d)
             k += static_cast<int>(std::lround(X[d] / 1e-3));
         return k % 2 ? -1.0 : 1.0;
     };
-    move(body, [&](const Column<dim>& X) -> Column<dim> {
-        Column<dim> u = Column<dim>::Zero();
+    move(body, [&](const ColumnVector<dim>& X) -> ColumnVector<dim> {
+        ColumnVector<dim> u = ColumnVector<dim>::Zero();
         u[0] = 1e-6 * sign(X);
         return u;
     });

@@ -5,7 +5,7 @@
 #include <imbibe/kernels/cubic_spline.hpp>
 #include <imbibe/kernels/quintic_spline.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <eigenvalues.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ template <int dim>
 Cloud<dim, Water> stream() {
     auto fluid = block<dim>(water_here(), 9, 0); // five layers from the surface to the centre
     for (auto& p : fluid)
-        p.set(velocity, vec<dim>(Column<dim>::Unit(0) * 2));
+        p.set(velocity, vec<dim>(ColumnVector<dim>::Unit(0) * 2));
     return fluid;
 }
 
@@ -60,7 +60,7 @@ void check_lattice() {
     auto fluid = stream<dim>();
     shift<dim>(fluid);
     for (const auto& p : fluid) {
-        const Column<dim> from_centre = (plain(p[position]) - Column<dim>::Constant(4e-3)) / 1e-3;
+        const ColumnVector<dim> from_centre = (plain(p[position]) - ColumnVector<dim>::Constant(4e-3)) / 1e-3;
         const double layer = 4 - from_centre.cwiseAbs().maxCoeff(); // 0 at the surface
         const double indicator = plain(p[surface_indicator]);
         if (layer < 0.5)
@@ -78,23 +78,23 @@ void check_lattice() {
 template <int dim>
 void check_direction() {
     auto fluid = stream<dim>();
-    const Column<dim> there = plain(centre<dim>(fluid)[position]);
-    const Column<dim> aside = Column<dim>::Unit(1) * 2e-5;
+    const ColumnVector<dim> there = plain(centre<dim>(fluid)[position]);
+    const ColumnVector<dim> aside = ColumnVector<dim>::Unit(1) * 2e-5;
     centre<dim>(fluid).set(position, vec<dim>(there + aside));
     shift<dim>(fluid);
     auto& a = centre<dim>(fluid);
     // by hand: - |v| H sum V (1 + 0.2 (W/W(spacing))^4) grad W, far from its bound
-    Column<dim> g = Column<dim>::Zero();
+    ColumnVector<dim> g = ColumnVector<dim>::Zero();
     const auto w = [](double q) { return q < 1 ? std::pow(1 - q, 4) * (1 + 4 * q) : 0; };
     const double norm = (dim == 2 ? 7 / pi : 21 / (2 * pi)) / std::pow(3e-3, dim + 2);
     for (const auto& b : fluid) {
-        const Column<dim> x = plain(a[position]) - plain(b[position]);
+        const ColumnVector<dim> x = plain(a[position]) - plain(b[position]);
         const double q = x.norm() / 3e-3;
         if (q < 1)
             g += std::pow(1e-3, dim) * (1 + 0.2 * std::pow(w(q) / w(1.0 / 3), 4)) * -20 * norm * std::pow(1 - q, 3) * x;
     }
     const Term::Parameters with{.strength = 1.5};
-    const Column<dim> v = plain(Term::Shift{with}(a)), expected = -2 * 1.5 * 3e-3 * g;
+    const ColumnVector<dim> v = plain(Term::Shift{with}(a)), expected = -2 * 1.5 * 3e-3 * g;
     CHECK((v - expected).norm() < 1e-12 * expected.norm());
     CHECK(v[1] < 0); // back
     CHECK(v.norm() < 0.25 * 2);
@@ -127,10 +127,11 @@ double bearable_in_a_step(double support) {
     const auto lattice = block<2>(material, 2 * static_cast<int>(support) + 3, 0);
     const auto& centre = lattice[lattice.size() / 2];
     const auto gradient_in_wave = [&](double kx, double ky, int along) {
-        Column<2> sum = Column<2>::Zero();
+        ColumnVector<2> sum = ColumnVector<2>::Zero();
         const auto moved = [&](auto particle) {
-            const Column<2> x = plain(particle[position]), r = (x - plain(centre[position])) / dx;
-            particle.set(position, vec<2>(x + Column<2>::Unit(along) * (little * std::cos(kx * r[0] + ky * r[1]))));
+            const ColumnVector<2> x = plain(particle[position]), r = (x - plain(centre[position])) / dx;
+            particle.set(position,
+                         vec<2>(x + ColumnVector<2>::Unit(along) * (little * std::cos(kx * r[0] + ky * r[1]))));
             return particle;
         };
         const auto a = moved(centre);
@@ -139,7 +140,7 @@ double bearable_in_a_step(double support) {
             const auto ab = geometry<ShiftingNeighbours<Kernel>, 2>(a, other);
             sum += plain(contribution(ab, std::get<0>(ShiftingNeighbours<Kernel>{}(a, other, ab))));
         }
-        return Column<2>(sum / little);
+        return ColumnVector<2>(sum / little);
     };
     double stiffest = 0;
     for (int i = 0; i <= 16; ++i)
@@ -147,8 +148,7 @@ double bearable_in_a_step(double support) {
             Eigen::Matrix2d change;
             for (int along = 0; along < 2; ++along)
                 change.col(along) = gradient_in_wave(pi * i / 16, pi * j / 16, along);
-            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(0.5 * (change + change.transpose()));
-            stiffest = std::max(stiffest, solver.eigenvalues().maxCoeff());
+            stiffest = std::max(stiffest, imbibe_test::greatest_eigenvalue(0.5 * (change + change.transpose())));
         }
     return 2 / stiffest * dx / std::pow(material.support_radius, 3);
 }

@@ -23,7 +23,7 @@ template <int dim>
 struct Tank {
     Cloud<dim, Water> water = block<dim>(water_here(), 4, 0.2, 1);
     Cloud<dim, Bed> wall;
-    Column<dim> g = Column<dim>::Constant(0.3);
+    ColumnVector<dim> g = ColumnVector<dim>::Constant(0.3);
     double rho = 1020; // water that is compressed weighs more than at rest
 
     explicit Tank(double surface_pressure) {
@@ -31,7 +31,7 @@ struct Tank {
         int seed = 2;
         for (int d = 0; d < dim; ++d)
             for (const double side : {-3.5e-3, 3.5e-3}) { // beside, below and above
-                Column<dim> at = Column<dim>::Zero();
+                ColumnVector<dim> at = ColumnVector<dim>::Zero();
                 at[d] = side;
                 const auto more = block<dim>(bed(), 4, 0.2, static_cast<unsigned>(seed++), at);
                 wall.insert(wall.end(), more.begin(), more.end());

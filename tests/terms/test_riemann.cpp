@@ -36,7 +36,7 @@ double gradient_factor(double r, double H) {
 /// A block with random velocities and densities, and with the pressure that belongs to them.
 template <int dim>
 Cloud<dim, Water> moving(const Water& fluid, int n, unsigned seed, double speed = 1, double shift = 0) {
-    auto all = block<dim>(fluid, n, 0.2, seed, Column<dim>::Constant(shift));
+    auto all = block<dim>(fluid, n, 0.2, seed, ColumnVector<dim>::Constant(shift));
     Dice dice(seed + 10);
     for (auto& p : all) {
         const double rho = fluid.density * dice(0.98, 1.02);
@@ -52,10 +52,10 @@ struct Waves { // between the two sides of a pair
 };
 
 template <int dim, class A, class B>
-Waves by_hand(const A& a, const B& b, double eta, const Column<dim>& g) {
-    const Column<dim> x = plain(a[position]) - plain(b[position]);
+Waves by_hand(const A& a, const B& b, double eta, const ColumnVector<dim>& g) {
+    const ColumnVector<dim> x = plain(a[position]) - plain(b[position]);
     const double r = x.norm();
-    const Column<dim> e = -x / r;
+    const ColumnVector<dim> e = -x / r;
     const double Z_a = a.material.density * a.material.sound_speed, Z_b = b.material.density * b.material.sound_speed;
     const double p_a = plain(a[pressure]), p_b = plain(b[pressure]), c_a = a.material.sound_speed,
                  c_b = b.material.sound_speed;
@@ -75,7 +75,7 @@ Waves by_hand(const A& a, const B& b, double eta, const Column<dim>& g) {
 template <int dim>
 void check_equations(const Water& first, const Water& second) {
     const auto all = moving<dim>(first, 3, 1, 8), others = moving<dim>(second, 3, 2, 8, 4e-4);
-    Column<dim> g = Column<dim>::Constant(2);
+    ColumnVector<dim> g = ColumnVector<dim>::Constant(2);
     g[dim - 1] = -9.81;
     const RiemannPressure<K>::Push push{};
     const RiemannContinuity<K> rate{};
@@ -84,8 +84,8 @@ void check_equations(const Water& first, const Water& second) {
         for (const auto& b : others) {
             const auto ab = geometry<RiemannContinuity<K>, dim>(a, b, g);
             const auto w = by_hand<dim>(a, b, 3, g);
-            const Column<dim> x = plain(a[position]) - plain(b[position]);
-            const Column<dim> force = -2 / plain(a[mass]) * w.V_a * w.V_b * w.p * w.F * x;
+            const ColumnVector<dim> x = plain(a[position]) - plain(b[position]);
+            const ColumnVector<dim> force = -2 / plain(a[mass]) * w.V_a * w.V_b * w.p * w.F * x;
             CHECK((plain(contribution(ab, push(a, b, ab))) - force).norm() <= 1e-12 * force.norm());
             // (v_a - v*).grad W is the part along e, (U_a - U*) e.grad W, and e.x = -r
             const double expected = 2 * plain(a[density]) * w.V_b * (w.U_a - w.speed) * -w.distance * w.F;
@@ -110,7 +110,7 @@ void check_energy() {
         for (const auto& b : fluid) {
             if (&a == &b)
                 continue;
-            const auto w = by_hand<dim>(a, b, 3, Column<dim>::Zero());
+            const auto w = by_hand<dim>(a, b, 3, ColumnVector<dim>::Zero());
             const double Z = 1100 * 30, approach = std::max(w.U_a - w.U_b, 0.0);
             const double beta = std::min(3 * approach / 30, 1.0), jump = plain(a[pressure]) - plain(b[pressure]);
             lost += w.V_a * w.V_b * -w.F * w.distance * (beta * Z * Z * approach * approach + jump * jump) / (2 * Z);
@@ -122,7 +122,7 @@ void check_energy() {
 
 template <int dim>
 void check_still_water() {
-    Column<dim> g = Column<dim>::Zero();
+    ColumnVector<dim> g = ColumnVector<dim>::Zero();
     g[dim - 1] = -9.81;
     auto fluid = block<dim>(brine(), 4, 0.2);
     for (auto& p : fluid) // in balance: c^2 drho/dx = rho g
@@ -143,11 +143,11 @@ struct Shore {
     Cloud<dim, Water> fluid;
 
     Shore() {
-        Column<dim> above = Column<dim>::Zero();
+        ColumnVector<dim> above = ColumnVector<dim>::Zero();
         above[dim - 1] = 0.5e-3;
         // nine wide, so that the wall is flat for the particle in the middle
-        for (const auto& p : block<dim>(bed(), 9, 0, 1, Column<dim>::Constant(-4e-3))) {
-            Column<dim> x = plain(p[position]);
+        for (const auto& p : block<dim>(bed(), 9, 0, 1, ColumnVector<dim>::Constant(-4e-3))) {
+            ColumnVector<dim> x = plain(p[position]);
             x[dim - 1] -= 4.5e-3;
             if (x[dim - 1] > -3.1e-3) {
                 wall.push_back(p);
@@ -164,44 +164,45 @@ template <int dim>
 void check_wall() {
     Shore<dim> shore;
     auto& f = shore.particle();
-    Column<dim> g = Column<dim>::Zero(), sliding = Column<dim>::Zero(), down = Column<dim>::Zero();
+    ColumnVector<dim> g = ColumnVector<dim>::Zero(), sliding = ColumnVector<dim>::Zero(),
+                      down = ColumnVector<dim>::Zero();
     g[dim - 1] = -9.81;
     sliding[0] = 2;
     down[dim - 1] = -0.5;
-    const Column<dim> into = plain(sum(RiemannWallNormal<K>{}, f, shore.wall));
+    const ColumnVector<dim> into = plain(sum(RiemannWallNormal<K>{}, f, shore.wall));
     CHECK(into.template head<dim - 1>().norm() < 1e-12 * into.norm());
     CHECK(into[dim - 1] < -100); // about 0.6/H
     f.set(wall_direction, vec<dim>(into));
     for (auto& w : shore.wall)
         w.set(volume, w[mass] / w[density]).set(velocity, Vector<Number<double>, dim>::zero());
     const RiemannWallPressure<K>::Push push{};
-    auto force_with = [&](const Column<dim>& v) {
+    auto force_with = [&](const ColumnVector<dim>& v) {
         f.set(velocity, vec<dim>(v));
-        return Column<dim>(plain(sum(push, f, shore.wall, g)));
+        return ColumnVector<dim>(plain(sum(push, f, shore.wall, g)));
     };
     f.set(pressure, 500.0);
     // at rest: the pressure half way between the two, by hand
-    Column<dim> expected = Column<dim>::Zero();
+    ColumnVector<dim> expected = ColumnVector<dim>::Zero();
     const double V_f = plain(f[volume]), m = plain(f[mass]), rho = plain(f[density]);
     for (const auto& w : shore.wall) {
-        const Column<dim> x = plain(f[position]) - plain(w[position]);
+        const ColumnVector<dim> x = plain(f[position]) - plain(w[position]);
         const double p = 500 + 0.5 * rho * -g.dot(x);
         expected -= 2 / m * V_f * plain(w[volume]) * p * gradient_factor<dim>(x.norm(), 3e-3) * x;
     }
-    const Column<dim> at_rest = force_with(Column<dim>::Zero());
+    const ColumnVector<dim> at_rest = force_with(ColumnVector<dim>::Zero());
     CHECK((at_rest - expected).norm() < 1e-12 * expected.norm());
     CHECK(at_rest[dim - 1] > 0);
     // no friction, no pull on what leaves, and rho c beta 2 U/2 more for what comes
     CHECK((force_with(sliding) - at_rest).norm() < 1e-12 * at_rest.norm());
     CHECK((force_with(-down) - at_rest).norm() < 1e-12 * at_rest.norm());
     const double U = 0.5, beta = 3 * 2 * U / 30;
-    const Column<dim> more = force_with(down) - at_rest;
-    const Column<dim> dissipation = -2 / m * V_f * (beta * 1100 * 30 * U) * into;
+    const ColumnVector<dim> more = force_with(down) - at_rest;
+    const ColumnVector<dim> dissipation = -2 / m * V_f * (beta * 1100 * 30 * U) * into;
     CHECK((more - dissipation).norm() < 1e-10 * dissipation.norm());
     // the wall that comes is the same as the fluid that comes
     for (auto& w : shore.wall)
         w.set(velocity, vec<dim>(-down));
-    CHECK((force_with(Column<dim>::Zero()) - at_rest - more).norm() < 1e-10 * more.norm());
+    CHECK((force_with(ColumnVector<dim>::Zero()) - at_rest - more).norm() < 1e-10 * more.norm());
     // the density rate: twice the wall's share of - rho div v
     const double rate = plain(sum(RiemannWallContinuity<K>{}, f, shore.wall));
     CHECK(rate == Approx(2 * rho * (down.dot(into))).epsilon(1e-12));
@@ -220,7 +221,7 @@ void check_wall() {
 template <int dim>
 void check_reaction() {
     auto fluid = moving<dim>(brine(), 3, 5, 8);
-    auto solid = block<dim>(soft(), 3, 0.2, 6, Column<dim>::Constant(4e-4));
+    auto solid = block<dim>(soft(), 3, 0.2, 6, ColumnVector<dim>::Constant(4e-4));
     Dice dice(7);
     for (auto& p : solid)
         p.set(velocity, dice.vector<dim>(8)).set(volume, p[mass] / p[density]);
@@ -229,19 +230,19 @@ void check_reaction() {
     CHECK(worst_imbalance(RiemannWallPressure<K>::Push{}, fluid, solid) < 1e-14);
     CHECK(worst_imbalance(RiemannPressure<K>::Push{}, fluid, moving<dim>(oil(), 3, 8, 8, 4e-4)) < 1e-14);
     // under gravity, which raises the pressure at what lies deeper, seen from either side
-    Column<dim> g = Column<dim>::Constant(2e4);
+    ColumnVector<dim> g = ColumnVector<dim>::Constant(2e4);
     g[dim - 1] = -9e4;
     const RiemannWallPressure<K>::Push push{};
     const auto& f = fluid.front();
     const auto& s = solid.front();
     const auto there = geometry<RiemannWallPressure<K>::Push, dim>(f, s, g);
     const auto back = geometry<RiemannWallPressure<K>::Push, dim>(s, f, g);
-    const Column<dim> on_fluid = plain(f[mass] * contribution(there, push(f, s, there)));
-    const Column<dim> on_solid = plain(s[mass] * contribution(back, push(s, f, back)));
+    const ColumnVector<dim> on_fluid = plain(f[mass] * contribution(there, push(f, s, there)));
+    const ColumnVector<dim> on_solid = plain(s[mass] * contribution(back, push(s, f, back)));
     CHECK((on_fluid + on_solid).norm() < 1e-14 * on_fluid.norm());
     CHECK((on_fluid - given(push, f, s)).norm() > 1e-3 * on_fluid.norm()); // it does make a difference
     // the direction of the wall counts volumes as they are now
-    const Column<dim> into = plain(sum(RiemannWallNormal<K>{}, f, solid));
+    const ColumnVector<dim> into = plain(sum(RiemannWallNormal<K>{}, f, solid));
     for (auto& p : solid)
         p.set(density, 2.0 * p[density]);
     CHECK((plain(sum(RiemannWallNormal<K>{}, f, solid)) - 0.5 * into).norm() < 1e-14 * into.norm());

@@ -41,8 +41,8 @@ void check_velocity_gradient() {
     Dice dice(40 + dim);
     auto all = dice.cluster<dim>(sponge());
     const auto& a = all.front();
-    const Matrix<dim> by_hand = sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double) -> Matrix<dim> {
-        const Column<dim> gradient = spiky_gradient<dim>(x);
+    const Matrix<dim> by_hand = sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double) -> Matrix<dim> {
+        const ColumnVector<dim> gradient = spiky_gradient<dim>(x);
         Matrix<dim> m;
         for (int i = 0; i < dim; ++i)
             for (int j = 0; j < dim; ++j)
@@ -130,10 +130,11 @@ void check_stress_force() {
     const auto sigma = [](const auto& p) -> Matrix<dim> {
         return plain(p[deviatoric_stress]) - plain(p[pressure]) * Matrix<dim>::Identity();
     };
-    const Column<dim> by_hand = sum_by_hand(all, [&](const auto& b, const Column<dim>& x, double) -> Column<dim> {
-        const double rho_a = plain(a[density]), rho_b = plain(b[density]);
-        return plain(b[mass]) * (sigma(a) / (rho_a * rho_a) + sigma(b) / (rho_b * rho_b)) * spiky_gradient<dim>(x);
-    });
+    const ColumnVector<dim> by_hand =
+        sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>& x, double) -> ColumnVector<dim> {
+            const double rho_a = plain(a[density]), rho_b = plain(b[density]);
+            return plain(b[mass]) * (sigma(a) / (rho_a * rho_a) + sigma(b) / (rho_b * rho_b)) * spiky_gradient<dim>(x);
+        });
     CHECK(relative_error(plain(sum_over_neighbours(typename StressForce<Spiky>::Push{}, all)), by_hand) < tight);
 }
 
@@ -142,15 +143,16 @@ void check_xsph() {
     Dice dice(70 + dim);
     auto all = dice.cluster<dim>(sponge());
     auto& a = all.front();
-    const Column<dim> sum = sum_by_hand(all, [&](const auto& b, const Column<dim>&, double r) -> Column<dim> {
-        return plain(b[mass]) / (0.5 * (plain(a[density]) + plain(b[density]))) *
-               (plain(b[velocity]) - plain(a[velocity])) * poly6<dim>(r);
-    });
+    const ColumnVector<dim> sum =
+        sum_by_hand(all, [&](const auto& b, const ColumnVector<dim>&, double r) -> ColumnVector<dim> {
+            return plain(b[mass]) / (0.5 * (plain(a[density]) + plain(b[density]))) *
+                   (plain(b[velocity]) - plain(a[velocity])) * poly6<dim>(r);
+        });
     a.set(relative_mean_velocity, sum_over_neighbours(Xsph<Poly6>::Sum{}, all));
     CHECK(relative_error(plain(a[relative_mean_velocity]), sum) < tight);
 
     Xsph<Poly6>::Smooth smooth;
-    const Column<dim> v = plain(a[velocity]);
+    const ColumnVector<dim> v = plain(a[velocity]);
     CHECK(relative_error(plain(smooth(a)), (v + 0.5 * sum).eval()) < tight); // Eq. (19)
     smooth.parameters.strength = 0.2;
     CHECK(relative_error(plain(smooth(a)), (v + 0.2 * sum).eval()) < tight);
@@ -173,10 +175,10 @@ TEST_CASE("VelocityGradient of a linear velocity has the right sign and place of
     L << 1, 2, 3, -4, 5, -6, 7, 8, -9;
     std::vector<Solid_<3>> all(7, Solid_<3>(sponge()));
     for (int k = 0; k < 7; ++k) {
-        Column<3> x = Column<3>::Zero();
+        ColumnVector<3> x = ColumnVector<3>::Zero();
         if (k > 0)
             x[(k - 1) / 2] = k % 2 ? 5e-4 : -5e-4;
-        const Column<3> v = L * x;
+        const ColumnVector<3> v = L * x;
         all[static_cast<std::size_t>(k)]
             .set(position, {x[0], x[1], x[2]})
             .set(velocity, {v[0], v[1], v[2]})

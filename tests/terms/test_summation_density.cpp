@@ -62,7 +62,7 @@ TEST_CASE("what counts in the sum is the volume of a neighbour, by its own densi
     const auto a = block<3>(water_here(), 1, 0).front();
     Water light = water_here();
     light.density = 400;
-    const auto at = [](const Water& of) { return block<3>(of, 1, 0, 1, Column<3>::Unit(0) * 1e-3); };
+    const auto at = [](const Water& of) { return block<3>(of, 1, 0, 1, ColumnVector<3>::Unit(0) * 1e-3); };
     const double expected = 1e-9 * 21 / (2 * pi * 27e-9) * std::pow(2.0 / 3, 4) * (1 + 4.0 / 3); // V W
     CHECK(plain(sum(SummationNeighbours<K>{}, a, at(water_here()))) == Approx(expected));
     CHECK(plain(sum(SummationNeighbours<K>{}, a, at(light))) == Approx(expected));

@@ -13,7 +13,7 @@ using Term = TransportAdvection<WendlandC2>;
 
 /// Nine particles each way, three spacings of support, all shifted by the same velocity; `flow` gives theirs.
 template <int dim>
-auto shifted(const Column<dim>& shift, const auto& flow) {
+auto shifted(const ColumnVector<dim>& shift, const auto& flow) {
     const Water water{.density = 1000, .sound_speed = 30, .viscosity = 1e-3, .support_radius = 3e-3, .spacing = 1e-3};
     auto fluid = block<dim>(water, 9, 0);
     for (auto& p : fluid)
@@ -23,18 +23,19 @@ auto shifted(const Column<dim>& shift, const auto& flow) {
 
 template <int dim>
 void check_shear() {
-    const Column<dim> shift = Column<dim>::LinSpaced(0.3, -0.2);
+    const ColumnVector<dim> shift = ColumnVector<dim>::LinSpaced(0.3, -0.2);
     const Matrix<dim> slope = 40 * Matrix<dim>::Identity() + 10 * Matrix<dim>::Ones();
-    const Column<dim> stream = Column<dim>::Constant(2);
-    const auto sheared = shifted<dim>(shift, [&](const Column<dim>& x) { return Column<dim>(stream + slope * x); });
+    const ColumnVector<dim> stream = ColumnVector<dim>::Constant(2);
+    const auto sheared =
+        shifted<dim>(shift, [&](const ColumnVector<dim>& x) { return ColumnVector<dim>(stream + slope * x); });
     const auto& centre = sheared[sheared.size() / 2];
-    const Column<dim> expected = slope * shift;
+    const ColumnVector<dim> expected = slope * shift;
     // a lattice of three spacings of support has 1.00 of a gradient (docs/stability.md, the last table)
     CHECK((plain(sum(Term{}, centre, sheared)) - expected).norm() < 0.005 * expected.norm());
 
-    const auto uniform = shifted<dim>(shift, [&](const Column<dim>&) { return stream; });
-    const auto resting =
-        shifted<dim>(Column<dim>::Zero(), [&](const Column<dim>& x) { return Column<dim>(slope * x); });
+    const auto uniform = shifted<dim>(shift, [&](const ColumnVector<dim>&) { return stream; });
+    const auto resting = shifted<dim>(ColumnVector<dim>::Zero(),
+                                      [&](const ColumnVector<dim>& x) { return ColumnVector<dim>(slope * x); });
     for (const auto* fluid : {&uniform, &resting})
         for (const auto& p : *fluid)
             CHECK(plain(sum(Term{}, p, *fluid)).norm() == 0);
@@ -43,14 +44,15 @@ void check_shear() {
 // One pair by hand: the volume is that which the neighbour has now.
 template <int dim>
 void check_by_hand() {
-    const auto fluid = shifted<dim>(Column<dim>::LinSpaced(0.3, -0.2), [](const Column<dim>& x) { return 40 * x; });
+    const auto fluid =
+        shifted<dim>(ColumnVector<dim>::LinSpaced(0.3, -0.2), [](const ColumnVector<dim>& x) { return 40 * x; });
     auto a = fluid[0], b = fluid[1];
     a.set(density, 980.0);
     b.set(density, 1030.0);
-    const Column<dim> x = plain(a[position]) - plain(b[position]);
+    const ColumnVector<dim> x = plain(a[position]) - plain(b[position]);
     const double slope = -20 * (dim == 2 ? 7 / pi : 21 / (2 * pi)) / std::pow(3e-3, dim + 2) * std::pow(2.0 / 3, 3);
-    const Column<dim> expected = plain(b[mass]) / 1030 * slope * plain(a[transport_correction]).dot(x) *
-                                 (plain(b[velocity]) - plain(a[velocity]));
+    const ColumnVector<dim> expected = plain(b[mass]) / 1030 * slope * plain(a[transport_correction]).dot(x) *
+                                       (plain(b[velocity]) - plain(a[velocity]));
     CHECK((plain(Term{}(a, b, geometry<Term, dim>(a, b))) - expected).norm() < 1e-11 * expected.norm());
 }
 

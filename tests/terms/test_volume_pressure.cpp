@@ -22,7 +22,7 @@ Water light() {
 // Two fluids, five hundred times apart in density, with random pressures, densities and velocities.
 template <int dim>
 auto two_fluids() {
-    Column<dim> above = Column<dim>::Zero();
+    ColumnVector<dim> above = ColumnVector<dim>::Zero();
     above[dim - 1] = 3.9e-3;
     auto water = block<dim>(heavy(), 4, 0.2, 1), air = block<dim>(light(), 4, 0.2, 2, above);
     Dice dice(3);
@@ -72,7 +72,8 @@ void check_virtual_work() {
 template <int dim>
 void check_diffusion() {
     auto water = block<dim>(heavy(), dim == 2 ? 8 : 6, 0.2, 5);
-    const Column<dim> g = dim == 2 ? Column<dim>(Eigen::Vector2d(1, -9.81).head(dim)) : Column<dim>::Constant(-5);
+    const ColumnVector<dim> g =
+        dim == 2 ? ColumnVector<dim>(Eigen::Vector2d(1, -9.81).head(dim)) : ColumnVector<dim>::Constant(-5);
     const double c2 = 900;
     const typename DensityDiffusion<>::Smooth smooth;
     for (auto& p : water)
@@ -109,7 +110,7 @@ void check_diffusion_coefficient() {
     fine.support_radius = 4e-3;
     auto water = block<dim>(fine, 9, 0);
     for (auto& p : water) {
-        const Column<dim> x = plain(p[position]) - Column<dim>::Constant(4e-3);
+        const ColumnVector<dim> x = plain(p[position]) - ColumnVector<dim>::Constant(4e-3);
         p.set(density, 1000 + 1e6 * x.squaredNorm()).set(volume, std::pow(1e-3, dim));
     }
     const auto& centre = water[water.size() / 2];
@@ -131,7 +132,7 @@ double fastest_rate_times_limit(double ratio) {
     double fastest = 0;
     const int waves = 8;
     for (int k = 0; k < (dim == 2 ? waves * waves : waves * waves * waves); ++k) {
-        Column<dim> wave;
+        ColumnVector<dim> wave;
         for (int d = 0, rest = k; d < dim; ++d, rest /= waves)
             wave[d] = pi * (rest % waves + 1) / waves / w.spacing;
         for (auto& p : all) {

@@ -56,7 +56,7 @@ void shake(Body<dim>& body, double size) {
 template <int dim>
 void move_affinely(Body<dim>& body, const Matrix<dim>& F) {
     for (auto& p : body)
-        p.set(position, vec<dim>(Column<dim>::Constant(7e-3) + F * plain(p[reference_position])));
+        p.set(position, vec<dim>(ColumnVector<dim>::Constant(7e-3) + F * plain(p[reference_position])));
     stress(body);
 }
 
@@ -96,7 +96,7 @@ void check_energy() {
     Matrix<dim> moment = Matrix<dim>::Zero();
     double scale = 0;
     for (const auto& p : body) {
-        const Column<dim> x = plain(p[position]), f = plain(sum(TotalLagrangianForce<>::Push{}, p, body));
+        const ColumnVector<dim> x = plain(p[position]), f = plain(sum(TotalLagrangianForce<>::Push{}, p, body));
         moment += x * f.transpose() - f * x.transpose();
         scale += x.norm() * f.norm();
     }

@@ -83,43 +83,30 @@ SpongeCase touching(int threads) {
 
 using namespace validate_sponge;
 
-TEST_CASE("The sponge on a strip, sound composition, through the impact", "[sponge]") {
-    if (!imbibe_test::sanitized)
-        return; // the next test goes on from there
-    const Seen seen = run<SoundSponge>(strip(2e-3), 0.04);
-    CHECK(seen.lost == 0);
-    CHECK(seen.beyond_the_walls < 0.1 * strip(0).water_spacing);
-    CHECK(seen.in_the_sponge <= 1e-3);
-    CHECK(seen.off_density <= 0.05);
-    CHECK(seen.peak > 0.5e-3);
-}
-
 TEST_CASE("The sponge on a strip, sound composition", "[sponge]") {
-    if (imbibe_test::left_out("the test before is of the same scene"))
-        return;
-    std::map<double, Seen> runs; // by the radius of the pores, mm; long/test_sponge_strip.cpp has those between
+    // until 50 ms after the impact and a little longer; long/test_sponge_strip.cpp has all pores and goes on to 0.25 s
+    constexpr double end = imbibe_test::sanitized ? 0.04 : 0.085;
+    std::map<double, Seen> runs; // by the radius of the pores, mm
     for (const double r : {0.5, 2.0}) {
-        const Seen seen = runs[r] = run<SoundSponge>(strip(r * 1e-3), 0.25);
+        const Seen seen = runs[r] = run<SoundSponge>(strip(r * 1e-3), end);
         CAPTURE(r);
         CHECK(seen.lost == 0);
         CHECK(seen.beyond_the_walls <
               0.1 * strip(0).water_spacing); // of the half that the walls' first particles lie back
         CHECK(seen.in_the_sponge <= 1e-3);
-        CHECK(seen.in_pairs <= 1e-3); // 0.3 without the guard within the water
+        CHECK(seen.in_pairs <= 1e-3);    // 0.3 without the guard within the water
         CHECK(seen.off_density <= 0.05); // all in the first instant of the impact, when pressure is that of sound
     }
     const Seen &closed = runs[0.5], &open = runs[2];
+    CHECK(open.peak > 0.5e-3);
+    CHECK(open.peak == Approx(closed.peak).epsilon(0.05)); // softer with wider pores, but less water stays on it
     CHECK(closed.drained.back() < 0.01);
-    CHECK(open.drained.back() > 0.85);
-    CHECK(open.late_mean < closed.late_mean);
-    // From 50 ms after the impact on, more has gone through the wider pores.
+    // From then on, more has gone through the wider pores.
     for (std::size_t k = 0; k < closed.times.size(); ++k)
         if (closed.times[k] > 0.077) {
             CAPTURE(closed.times[k]);
             CHECK(closed.drained[k] < open.drained[k]);
         }
-    CHECK(open.peak > 0.5e-3);
-    CHECK(open.peak == Approx(closed.peak).epsilon(0.05)); // softer with wider pores, but less water stays on it
 }
 
 TEST_CASE("The sponge on a strip, the paper's composition, through the impact", "[sponge]") {

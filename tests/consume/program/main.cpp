@@ -12,9 +12,8 @@ int main() {
 
     // Five steps of symplectic Euler: the drop falls g dt^2 (1 + 2 + 3 + 4 + 5).
     const double expected = -9.8 * 1e-8 * 15;
-    const double height = height_of_a_drop<3, double>();
-    const double sum = height + height_of_a_drop<2, float>();
+    const double height = height_of_a_drop();
     std::cout << "a drop is " << height << " m lower; by free fall " << expected << " m\n";
-    good = good && std::abs(height - expected) < 1e-12 && std::abs(sum - height_in_the_other_file()) < 1e-15;
+    good = good && std::abs(height - expected) < 1e-12 && height == height_in_the_other_file();
     return good ? 0 : 1;
 }

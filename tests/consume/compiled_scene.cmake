@@ -1,5 +1,5 @@
 # Programs that do not compile their scene: one with presets of the library, one whose own scene another of its files
-# compiles. Neither links without what has the scene, and both run with it. LIBRARY: the one that add_subdirectory/ was
+# compiles. Neither links without what has the scene, and both run with it. LIBRARY: the one that presets/ was
 # built with. THREADS: the compiler's option for OpenMP, which both have or neither.
 include(${CMAKE_CURRENT_LIST_DIR}/compile.cmake)
 
