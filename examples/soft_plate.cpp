@@ -3,7 +3,7 @@
 // After Fourey et al. (2017), with a plate a hundred times softer and a quarter of the water: one
 // metre of it, 0.05 m thick, held at both ends. Two-dimensional elasticity says that its middle hangs down by 2.10 mm
 // (within 4 %); here it is 2.32 mm with 5 particles across the plate, which alone are 11 % too soft, and with 10
-// 2.18 mm (tests/validation/test_plate_couplings.cpp asks for the 4 % with 10). The motion is damped, so that the run
+// 2.18 mm (tests/validation/more/test_plate_couplings.cpp asks for the 4 % with 10). The motion is damped, so that the run
 // ends at rest.
 //
 //   build/soft_plate                    then open out-soft-plate/water.pvd and plate.pvd in ParaView

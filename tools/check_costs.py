@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What the checks spend their time on: the twenty programs and tests that take longest to compile and to run, from
-ninja's log and from what ctest writes (tests.xml, examples.xml) in the build folders.
+ninja's log and from what ctest writes (tests.xml, checks.xml) in the build folders.
 
     .ci/run && python3 tools/check_costs.py            prints them
     .ci/run && python3 tools/check_costs.py --write    puts them into CONTRIBUTING.md
@@ -20,7 +20,7 @@ from marked_tables import with_table
 from tool_errors import end_with, read_text, write_text
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-FOLDERS = ["build", "build-clang", "build-benchmark", "build-docs"]  # what .ci/run fills
+FOLDERS = ["build", "build-headers", "build-clang", "build-benchmark", "build-docs"]  # what .ci/run fills
 MANY = ("compile_error_",)  # so many tests that they count as one
 
 

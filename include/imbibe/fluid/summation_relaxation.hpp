@@ -25,7 +25,7 @@ struct SummationRelaxationParameters {
 /// know where particles have been put: where they are shifted, above all off walls, density and places part, and the
 /// fluid fills a closed box unevenly. A cavity whose lid moves, 24 particles across at Re = 100, keeps half of its
 /// flow, its density being 15 % too high; with this beside ShiftingNeighbours it is 7 to 12 % too slow and the density
-/// 1 % too high (tests/validation/test_reference_cavity.cpp). docs/validation.md, fsi1 to fsi3: a channel with a
+/// 1 % too high (tests/validation/more/test_reference_cavity.cpp). docs/validation.md, fsi1 to fsi3: a channel with a
 /// cylinder.
 ///
 /// For fluids without a free surface: periodic, or between walls and solids that count (`Into<Water,

@@ -1,5 +1,5 @@
-// One hard case of each kind for the ordinary tests: a fluid, a solid, and both together. All of them, in all their
-// compositions, take a compiler and a processor ten minutes; .ci/run has them (label `stability`).
+// A few hard cases of each kind for the ordinary tests: a fluid, a solid, and both together. All of them, in all their
+// compositions, are in more/.
 #include "margins.hpp"
 #include "stability/coupled.hpp"
 #include "stability/fluids.hpp"
