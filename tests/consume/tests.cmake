@@ -21,8 +21,8 @@ foreach(way find_package add_subdirectory fetch_content presets)
     set_tests_properties(consume_${way} PROPERTIES LABELS unit TIMEOUT 900)
 endforeach()
 set_tests_properties(consume_find_package PROPERTIES FIXTURES_REQUIRED imbibe_installed)
-# All presets compiled take minutes: in .ci/run, with the examples, and not among the ordinary tests.
-set_tests_properties(consume_presets PROPERTIES LABELS examples FIXTURES_SETUP imbibe_presets_built)
+# All presets together compile for minutes: no ordinary test.
+set_tests_properties(consume_presets PROPERTIES LABELS more FIXTURES_SETUP imbibe_presets_built)
 
 # Without CMake: single calls of the compiler. See the script of each.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
@@ -61,7 +61,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
 endif()
 add_way(compiled_scene compiled_scene -DLIBRARY=${PROJECT_BINARY_DIR}/consume/presets/imbibe/libimbibe_presets.a
         -DTHREADS=${threads})
-set_tests_properties(consume_compiled_scene PROPERTIES LABELS examples FIXTURES_REQUIRED imbibe_presets_built)
+set_tests_properties(consume_compiled_scene PROPERTIES LABELS more FIXTURES_REQUIRED imbibe_presets_built)
 add_way(two_options two_options "-DFAST=${fast}")
 set_tests_properties(consume_two_options PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=2;OMP_WAIT_POLICY=passive")
 add_way(pkg_config installed -DPREFIX=${prefix} -DPKG_CONFIG=${IMBIBE_PKG_CONFIG})

@@ -1,26 +1,23 @@
 // How far particles have moved, of a phase and of a part of it.
+#include "scenes.hpp"
+
 #include <catch_shim.hpp>
 
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
-#include <imbibe/kernels/wendland.hpp>
 #include <imbibe/monitor/displacement.hpp>
-#include <imbibe/solid/total_lagrangian.hpp>
-#include <imbibe/time/symplectic_euler.hpp>
 
 namespace displacement_test {
 
 namespace sph = imbibe;
-struct Dust : sph::Fluid<> {};
-using Scene = sph::Solver<2, double, sph::SymplecticEuler, Dust>;
-using K = sph::WendlandC2;
-struct Block : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                          sph::TotalLagrangianForce<K>> {};
+using monitor_test::Dust;
+using Scene = monitor_test::DustScene<2>;
+using Block = monitor_test::Block<sph::StVenantKirchhoff>;
 
 TEST_CASE("A probe measures from where particles were, whole phases and parts", "[displacement]") {
     Scene scene({.support_radius = 0.2, .time_step = 0.1});
-    const auto dust = scene.add(Dust{{.density = 1, .sound_speed = 1}},
-                                sph::fill(sph::Box<2>{{0, 0}, {1, 1}}, 0.1), 0.1);
+    const auto dust =
+        scene.add(Dust{{.density = 1, .sound_speed = 1}}, sph::fill(sph::Box<2>{{0, 0}, {1, 1}}, 0.1), 0.1);
     for (int i = 0; i < 100; ++i) // the upper half to the right, the lower half up and twice as fast
         scene[dust][sph::velocity].row(i) << (scene[dust][sph::position](i, 1) > 0.5 ? 1 : 0),
             (scene[dust][sph::position](i, 1) > 0.5 ? 0 : 2);
@@ -63,7 +60,7 @@ TEST_CASE("A probe that knows the period measures across a periodic side", "[dis
 }
 
 TEST_CASE("A probe takes the places of a total-Lagrangian solid as they are", "[displacement]") {
-    sph::Solver<2, double, sph::SymplecticEuler, Block> scene(
+    monitor_test::BlockScene<2, sph::StVenantKirchhoff> scene(
         {.support_radius = 0.25, .time_step = 0.01, .periodic_length = {1, 0}});
     const auto block = scene.add(Block{{.density = 1, .sound_speed = 1, .shear_modulus = 0.1}},
                                  sph::fill(sph::Box<2>{{0.7, 0}, {1, 0.3}}, 0.1), 0.1);

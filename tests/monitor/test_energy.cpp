@@ -1,4 +1,6 @@
 // The energies that a phase stores: two ways to describe one solid must agree.
+#include "scenes.hpp"
+
 #include <catch_shim.hpp>
 
 #include <imbibe/imbibe.hpp>
@@ -12,17 +14,15 @@ using K = sph::WendlandC2;
 
 struct Rated : sph::Solid<sph::LinearState, sph::Continuity<K>, sph::VelocityGradient<K>, sph::JaumannStress,
                           sph::StressForce<K>> {};
-template <class Law>
-struct Referred
-    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, Law, sph::TotalLagrangianForce<K>> {};
+using monitor_test::Block, monitor_test::BlockScene, monitor_test::Dust, monitor_test::DustScene;
 
 /// What a total-Lagrangian block has stored in the displacement gradient e, J.
 template <int dim, class Law>
 double elastic_energy_in(const Eigen::Matrix<double, dim, dim>& e) {
     const double dx = 0.1, rho = 950, c = 30, G = 2e5;
     const auto points = sph::fill(sph::Box<dim>(sph::Point<dim>::Zero(), sph::Point<dim>::Constant(0.4)), dx);
-    sph::Solver<dim, double, sph::SymplecticEuler, Referred<Law>> scene({.support_radius = 2 * dx});
-    const auto block = scene.add(Referred<Law>{{.density = rho, .sound_speed = c, .shear_modulus = G}}, points, dx);
+    BlockScene<dim, Law> scene({.support_radius = 2 * dx});
+    const auto block = scene.add(Block<Law>{{.density = rho, .sound_speed = c, .shear_modulus = G}}, points, dx);
     auto F = scene[block][sph::deformation_gradient];
     for (int row = 0; row < dim; ++row)
         for (int column = 0; column < dim; ++column)
@@ -86,9 +86,8 @@ TEST_CASE("A total-Lagrangian solid stores what its own law says", "[energy]") {
 }
 
 TEST_CASE("The potential energy of a body is its weight times its height, whichever way gravity points", "[energy]") {
-    struct Stone : sph::Fluid<> {};
-    sph::Solver<3, double, sph::SymplecticEuler, Stone> scene({.support_radius = 0.2});
-    const auto stone = scene.add(Stone{{.density = 800, .sound_speed = 30}}, {{0.3, -0.5, 0.7}}, 0.1);
+    DustScene<3> scene({.support_radius = 0.2});
+    const auto stone = scene.add(Dust{{.density = 800, .sound_speed = 30}}, {{0.3, -0.5, 0.7}}, 0.1);
     for (int d = 0; d < 3; ++d) {
         std::array<double, 3> gravity{};
         gravity[static_cast<std::size_t>(d)] = -9.81;
@@ -98,10 +97,9 @@ TEST_CASE("The potential energy of a body is its weight times its height, whiche
 }
 
 TEST_CASE("What is added during a run stores nothing until it is deformed", "[energy]") {
-    using Block = Referred<sph::NeoHookean>;
     const double dx = 0.1;
-    const Block rubber{{.density = 950, .sound_speed = 30, .shear_modulus = 2e5}};
-    sph::Solver<2, double, sph::SymplecticEuler, Block> scene({.support_radius = 2 * dx, .time_step = 1e-4});
+    const Block<sph::NeoHookean> rubber{{.density = 950, .sound_speed = 30, .shear_modulus = 2e5}};
+    BlockScene<2, sph::NeoHookean> scene({.support_radius = 2 * dx, .time_step = 1e-4});
     const auto block = scene.add(rubber, sph::fill(sph::Box<2>({0, 0}, {1, 1}), dx), dx);
     CHECK(sph::elastic_energy<2>(scene[block]) == 0);
     scene.step();

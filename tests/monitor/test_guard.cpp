@@ -1,4 +1,6 @@
 // The guard: it leaves good runs alone and names what is wrong with bad ones.
+#include "scenes.hpp"
+
 #include <catch_shim.hpp>
 
 #include <imbibe/imbibe.hpp>
@@ -58,8 +60,8 @@ sph::Diverged thrown_by(const Run& run) {
     throw 0;
 }
 
-/// A drop somewhere in or round a box of side 1 m with walls of three layers; the scene takes one short step, and a guard
-/// looks at it.
+/// A drop somewhere in or round a box of side 1 m with walls of three layers; the scene takes one short step, and a
+/// guard looks at it.
 template <int dim>
 void drop_at(const sph::Point<dim>& x) {
     sph::Solver<dim, float, sph::SymplecticEuler, Water, Tank, Sides> scene({.support_radius = 2.6 * dx});
@@ -74,8 +76,8 @@ void drop_at(const sph::Point<dim>& x) {
 template <int>
 struct Numbered : sph::Fluid<> {};
 
-struct Stone : sph::Fluid<> {};
-using Flight = sph::Solver<2, double, sph::SymplecticEuler, Stone>;
+using monitor_test::Dust;
+using Flight = monitor_test::DustScene<2>;
 
 /// dv_a/dt = k v_a: energy from nowhere.
 struct Tailwind {
@@ -217,7 +219,7 @@ TEST_CASE("A guard keeps the bounds that it is given", "[guard]") {
 
 TEST_CASE("A guard's domain is in the coordinates of the world", "[guard]") {
     Flight scene({.support_radius = 0.1, .time_step = 0.01, .origin = {100, 50}});
-    scene.add(Stone{{.density = 1, .sound_speed = 100}}, {{100.5, 50.5}}, 0.05);
+    scene.add(Dust{{.density = 1, .sound_speed = 100}}, {{100.5, 50.5}}, 0.05);
     scene.step();
     CHECK_NOTHROW(sph::Guard<2>({.lower = {100, 50}, .upper = {101, 51}}).look(scene));
     for (const auto& bounds : {sph::GuardSettings<2>{.lower = {100.6, 50}, .upper = {101, 51}},
@@ -229,9 +231,9 @@ TEST_CASE("A guard's domain is in the coordinates of the world", "[guard]") {
 }
 
 TEST_CASE("A guard notices a particle that is on its way through a wall, and none that stands in a corner", "[guard]") {
-    CHECK_NOTHROW(drop_at<2>({0.5, dx / 2}));                  // at a wall, as a layer of water
-    CHECK_NOTHROW(drop_at<2>({0.5, -0.1 * dx}));               // pressed a little behind its face
-    CHECK_NOTHROW(drop_at<2>({-0.2 * dx, -0.2 * dx}));         // pressed into a corner
+    CHECK_NOTHROW(drop_at<2>({0.5, dx / 2}));          // at a wall, as a layer of water
+    CHECK_NOTHROW(drop_at<2>({0.5, -0.1 * dx}));       // pressed a little behind its face
+    CHECK_NOTHROW(drop_at<2>({-0.2 * dx, -0.2 * dx})); // pressed into a corner
     for (const double depth : {1.0, 1.3, 1.6, 2.0}) {
         const auto error = thrown_by([&] { drop_at<2>({0.5, -depth * dx}); });
         CHECK(error.cause == sph::Cause::inside_wall);
@@ -266,7 +268,7 @@ TEST_CASE("A guard notices energy without work, and not what falls or leaves", "
     CHECK(error.time == Approx(0.06).margin(0.06)); // kinetic energy grows as exp(4 t): a fifth of it after 0.056 s
 
     Flight stones({.gravity = {0, -9.81}, .support_radius = 0.1, .time_step = 0.01});
-    const auto stone = stones.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+    const auto stone = stones.add(Dust{{.density = 1, .sound_speed = 100}}, row, 0.05);
     sph::Guard<2> calm({.interval = 2});
     stones.run_until(2, [&](auto& scene) {
         if (scene.steps() % 50 == 49)
@@ -277,13 +279,13 @@ TEST_CASE("A guard notices energy without work, and not what falls or leaves", "
 
     // Rain: what has fallen out is let fall again from above, so that as many go as come.
     Flight rain({.gravity = {0, -9.81}, .support_radius = 0.1, .time_step = 0.01});
-    const auto drop = rain.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+    const auto drop = rain.add(Dust{{.density = 1, .sound_speed = 100}}, row, 0.05);
     sph::Guard<2> umbrella({.interval = 1});
     int fallen = 0;
     rain.run_until(2, [&](auto& scene) {
         if (scene[drop][sph::position].col(1).minCoeff() < -1) {
             scene.remove_if(drop, [](const auto& x) { return x[1] < -1; });
-            scene.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+            scene.add(Dust{{.density = 1, .sound_speed = 100}}, row, 0.05);
             ++fallen;
         }
         umbrella(scene);
@@ -295,7 +297,7 @@ TEST_CASE("A guard takes what a turning gravity does for no energy from nowhere,
           "[guard]") {
     const std::vector<sph::Point<2>> row{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
     Flight stones({.gravity = {0, -1}, .support_radius = 0.1, .time_step = 0.01});
-    stones.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+    stones.add(Dust{{.density = 1, .sound_speed = 100}}, row, 0.05);
     const auto turn = [](auto& scene) {
         const double angle = 4 * scene.time();
         scene.set_gravity({std::sin(angle), -std::cos(angle)});
@@ -392,7 +394,7 @@ TEST_CASE("A guard that begins where stress is stored knows what it may release"
 }
 
 TEST_CASE("A guard does not take the ends of a periodic side for a fall or for a way out", "[guard]") {
-    using Plume = sph::Solver<2, double, sph::SymplecticEuler, Stone>;
+    using Plume = monitor_test::DustScene<2>;
     const std::vector<sph::Point<2>> row{{0, 0.5}, {0.25, 0.5}, {0.5, 0.5}, {0.75, 0.5}};
     const auto run = [&](std::array<double, 2> gravity) { // once round and some more, in steps of 0.02 m
         Plume scene({.gravity = gravity,
@@ -400,7 +402,7 @@ TEST_CASE("A guard does not take the ends of a periodic side for a fall or for a
                      .time_step = 0.02,
                      .periodic_length = {1, 0},
                      .search_interval = 20});
-        const auto stone = scene.add(Stone{{.density = 1, .sound_speed = 100}}, row, 0.05);
+        const auto stone = scene.add(Dust{{.density = 1, .sound_speed = 100}}, row, 0.05);
         scene[stone][sph::velocity].col(0).setConstant(1);
         bool outside = false;
         scene.run_until(1.5, sph::Guard<2>({.interval = 1, .lower = {0, -20}, .upper = {1, 1}}),

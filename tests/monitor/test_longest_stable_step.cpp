@@ -1,16 +1,13 @@
 // How long a step a scene bears, asked of the scene itself, against exact limits and against what terms predict.
+#include "scenes.hpp"
+
 #include <catch_shim.hpp>
 
-#include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
-#include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
-#include <imbibe/solid/total_lagrangian.hpp>
-#include <imbibe/state/linear_state.hpp>
 #include <imbibe/time/leapfrog.hpp>
-#include <imbibe/time/symplectic_euler.hpp>
 
 #include <vector>
 
@@ -41,8 +38,7 @@ struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::Volum
 struct Brine : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 struct Gas : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 struct Interface : sph::Coupling<Brine, Gas, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
-struct Body : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                         sph::TotalLagrangianForce<K>> {};
+using Body = monitor_test::Block<sph::StVenantKirchhoff>;
 
 template <class Phase, class Integrator = sph::SymplecticEuler, class Real = double>
 double of_one_particle() {
@@ -81,7 +77,7 @@ TEST_CASE("longest_stable_step of water and of syrup lies where terms and linear
 }
 
 TEST_CASE("longest_stable_step of a cube of two by two by two particles is that of its stiffest corner") {
-    sph::Solver<3, double, sph::SymplecticEuler, Body> scene({.support_radius = 2.6 * dx, .threads = 1});
+    monitor_test::BlockScene<3, sph::StVenantKirchhoff> scene({.support_radius = 2.6 * dx, .threads = 1});
     Body body{{.density = 1000, .sound_speed = 10, .shear_modulus = 4e4}};
     scene.add(body, sph::fill(sph::Box<3>{{0, 0, 0}, {2 * dx, 2 * dx, 2 * dx}}, dx), dx);
     // with Poisson's ratio 0.3187: 2 over the frequency is between 0.734 and 0.70 spacings per longitudinal wave

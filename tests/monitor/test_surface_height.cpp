@@ -1,14 +1,11 @@
-// surface_height: level, sloping and tilted surfaces, at walls, across periodic sides and far from the origin; drops, and
-// where there is no fluid.
-#include <imbibe/fluid/continuity.hpp>
-#include <imbibe/fluid/symmetric_pressure.hpp>
+// surface_height: level, sloping and tilted surfaces, at walls, across periodic sides and far from the origin; drops,
+// and where there is no fluid.
+#include "scenes.hpp"
+
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/jitter.hpp>
-#include <imbibe/kernels/wendland.hpp>
 #include <imbibe/monitor/surface_height.hpp>
-#include <imbibe/state/linear_state.hpp>
-#include <imbibe/time/symplectic_euler.hpp>
 
 #include <catch_shim.hpp>
 
@@ -18,13 +15,10 @@
 namespace surface_height_test {
 
 namespace sph = imbibe;
-using K = sph::WendlandC2;
+using monitor_test::Pool, monitor_test::Water;
 constexpr double dx = 0.05;
 
-struct Water : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 const Water water{{.density = 1000, .sound_speed = 30}};
-template <int dim, class Real = double>
-using Pool = sph::Solver<dim, Real, sph::SymplecticEuler, Water>;
 
 template <int dim>
 sph::Settings<dim> settings_with_gravity(double origin = 0) {

@@ -1,14 +1,11 @@
 // value_at: exact for linear fields, on one side, across periodic sides and far from the origin; what it is where there
 // is nothing.
-#include <imbibe/fluid/continuity.hpp>
-#include <imbibe/fluid/symmetric_pressure.hpp>
+#include "scenes.hpp"
+
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/jitter.hpp>
-#include <imbibe/kernels/wendland.hpp>
 #include <imbibe/monitor/value_at.hpp>
-#include <imbibe/state/linear_state.hpp>
-#include <imbibe/time/symplectic_euler.hpp>
 
 #include <catch_shim.hpp>
 
@@ -19,13 +16,10 @@
 namespace value_at_test {
 
 namespace sph = imbibe;
-using K = sph::WendlandC2;
+using monitor_test::Pool, monitor_test::Water;
 constexpr double dx = 0.05;
 
-struct Water : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
 const Water water{{.density = 1000, .sound_speed = 10}};
-template <int dim>
-using Pool = sph::Solver<dim, double, sph::SymplecticEuler, Water>;
 
 /// A cloud that fills a unit square (cube) whose lower corner is the origin of the scene, with a linear density and
 /// velocity.
