@@ -5,7 +5,8 @@ ninja's log and from what ctest writes (tests.xml, checks.xml) in the build fold
     .ci/run && python3 tools/check_costs.py            prints them
     .ci/run && python3 tools/check_costs.py --write    puts them into CONTRIBUTING.md
 
-Seconds are those of the clock, of each file and test by itself; two run at a time.
+Seconds are those of the clock, of each file and test by itself; on two cores ninja compiles three files at a time, and
+ctest runs two tests.
 """
 
 import argparse
@@ -20,7 +21,7 @@ from marked_tables import with_table
 from tool_errors import end_with, read_text, write_text
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-FOLDERS = ["build", "build-headers", "build-clang", "build-benchmark", "build-docs"]  # what .ci/run fills
+FOLDERS = ["build", "build-headers", "build-clang", "build-benchmark"]  # what .ci/run fills
 MANY = ("compile_error_",)  # so many tests that they count as one
 
 
@@ -74,10 +75,10 @@ def main():
     for folder in folders:
         costs = costs_of(os.path.join(ROOT, folder))
         rows += [(it.compile + it.run, folder, name, it) for name, it in costs.items()]
-        totals.append(f"{folder} {sum(it.compile for it in costs.values()):.0f} s compiling and "
-                      f"{sum(it.run for it in costs.values()):.0f} s running")
+        totals.append(f"`{folder}` {sum(it.compile for it in costs.values()):.0f} + "
+                      f"{sum(it.run for it in costs.values()):.0f} s")
     rows.sort(key=lambda row: -row[0])
-    lines = [f"Of {machine()}. In all: {'; '.join(totals)}.", "",
+    lines = [f"{machine()}. Compiling and running, in all: {', '.join(totals)}.", "",
              "| item | build folder | files | compiling, s | tests | running, s |",
              "| --- | --- | ---: | ---: | ---: | ---: |"]
     lines += [f"| `{name}` | `{folder}` | {it.files or ''} | {it.compile:.0f} | {it.tests or ''} | {it.run:.0f} |"
