@@ -100,10 +100,7 @@ SpongeResult run_sponge(const presets::SpongeCase& numbers, double end, const Sp
             remove_if_there(output.folder / name);
         remove_if_there(finished_file(output));
     }
-    std::string report = describe(scene);
-    for (const auto& warning : scene.warnings()) // Progress begins with them
-        if (const auto at = report.find("Warning: " + warning + '\n'); at != std::string::npos)
-            report.erase(at, std::string_view("Warning: \n").size() + warning.size());
+    const std::string report = describe(scene);
     if (!output.quiet) {
         std::printf("%s", report.c_str());
         std::printf("Expected wall time: about %s for %g s\n\n", clock_text(estimate_wall_seconds(scene, end)).c_str(),

@@ -67,6 +67,11 @@ private:
         scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
         look_at_energy(scene);
         glance(scene);
+        if (!scene.meetings().empty()) {
+            const Meeting& met = scene.meetings().front();
+            throw Diverged(text(met.sentence, "; step ", scene.steps()), Cause::met, met.first, met.position, met.time,
+                           scene.steps());
+        }
     }
 
     GuardSettings<dim> settings_;

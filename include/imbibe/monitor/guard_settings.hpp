@@ -21,7 +21,8 @@ enum class Cause {
     left_domain,   ///< a particle is outside the domain
     inside_wall,   ///< a particle is among those of a wall, on its way through
     narrow_pore,   ///< a pore has fewer particles across than asked for
-    energy         ///< energy has come from nowhere
+    energy,        ///< energy has come from nowhere
+    met            ///< phases, or bodies of one, have met though nothing acts between them (`Solver::meetings`)
 };
 
 /// Thrown by a Guard: what, where, when. The message says it in a sentence, with the likely reason and a remedy.

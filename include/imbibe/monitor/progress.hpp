@@ -22,8 +22,7 @@ inline std::string clock_text(double seconds) {
     return out;
 }
 
-/// An observer for `run_until` that keeps one line of output up to date. Before the first it prints what deserves a
-/// look in the scene (Solver::warnings), which describe() prints too.
+/// An observer for `run_until` that keeps one line of output up to date.
 class Progress {
 public:
     /// @param end the time the run goes to, s
@@ -67,9 +66,6 @@ void Progress::operator()(const Scene& scene) {
         first_ = false;
         work_ = 0;
         begin_ = scene.time();
-        for (const auto& warning : scene.warnings())
-            std::printf("Warning: %s\n", warning.c_str());
-        std::fflush(stdout);
     }
     if (!cut_off(scene.last_step()))
         whole_step_ = scene.last_step();

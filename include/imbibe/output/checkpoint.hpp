@@ -5,6 +5,7 @@
 #pragma once
 
 #include <imbibe/output/file.hpp>
+#include <imbibe/solver/material_numbers.hpp>
 #include <imbibe/solver/solver.hpp>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using CheckpointNotes = std::map<std::string, double>;
 
 namespace detail {
 
-inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 4\n";
+inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 5\n";
 inline constexpr std::string_view end_of_checkpoint_head = "----\n";
 
 /// A 64-bit checksum (FNV-1a, Fowler, Noll and Vo).
@@ -121,6 +122,80 @@ std::string checkpoint_head(const Scene& scene) {
     return out.str();
 }
 
+/// The numbers that a scene reading a checkpoint may have others of, as lines of text: those of materials and of
+/// couplings.
+template <class Scene>
+std::string checkpoint_numbers(const Scene& scene) {
+    std::string lines;
+    const auto add = [&](const std::string& name, const NamedNumbers& numbers) {
+        for (const auto& [what, number] : numbers)
+            lines += text(name, ": ", what, " = ", number, "\n");
+    };
+    scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
+        add(name_among<P>(typename Scene::Phases{}), numbers_of_owner(s.material));
+    });
+    const auto add_couplings = [&]<class... C>(TypeList<C...> all) {
+        (add(name_among<C>(all), numbers_of_owner(scene.template coupling<C>())), ...);
+    };
+    add_couplings(typename Scene::Couplings{});
+    return lines;
+}
+/// How these lines differ from those of a checkpoint: a sentence, or an empty one.
+inline std::string warning_of_other_numbers(const std::string& theirs, const std::string& ours,
+                                            const std::string& path) {
+    std::istringstream lines_there(theirs), lines_here(ours);
+    std::string there, here, differences;
+    while (std::getline(lines_there, there) && std::getline(lines_here, here))
+        if (there != here)
+            differences += text(differences.empty() ? "" : "; ", there, " there, ",
+                                here.substr(std::min(here.size(), here.find(" = ") + 3)), " here");
+    if (differences.empty())
+        return {};
+    return text("checkpoint ", path, ": it was written with other numbers than this scene has, and the run goes on ",
+                "with this scene's: ", differences);
+}
+
+/// Where the particles are that stay where they were added: those of walls, and those of total-Lagrangian solids in
+/// their stress-free places. By phase, and by the number a particle had when it was added.
+inline std::vector<std::vector<Coordinates>> places_that_stay(const OutlineOfScene& scene) {
+    std::vector<std::vector<Coordinates>> all;
+    for (const Outline& phase : scene.phases) {
+        std::vector<std::pair<std::uint32_t, Coordinates>> by_number;
+        if (phase.kind == Kind::wall || phase.at_rest.x != phase.now.x)
+            for (int i = 0; i < phase.size(); ++i)
+                by_number.emplace_back(phase.ids[i], phase.at_rest.at(i));
+        std::sort(by_number.begin(), by_number.end());
+        auto& places = all.emplace_back();
+        for (const auto& [number, place] : by_number)
+            places.push_back(place);
+    }
+    return all;
+}
+/// A sentence if a phase that a scene has is another one in a checkpoint, or an empty one: of another number of
+/// particles, or of another shape. One that a program has moved as a whole is the same.
+inline std::string warning_of_other_body(const std::string& name, const std::vector<Coordinates>& here,
+                                         const std::vector<Coordinates>& there, double spacing,
+                                         const std::string& path) {
+    if (here.empty() || there.empty()) // nothing was added before the checkpoint was read
+        return {};
+    const char* const goes_on = "; the run goes on with the checkpoint's. Build the scene as it was";
+    if (here.size() != there.size())
+        return text("checkpoint ", path, ": ", name, " has ", there.size(), " particles there and ", here.size(),
+                    " in this scene", goes_on);
+    double farthest = 0; // along an axis, beside what all have moved by
+    for (std::size_t d = 0; d < 3; ++d) {
+        double moved = 0;
+        for (std::size_t i = 0; i < here.size(); ++i)
+            moved += (there[i][d] - here[i][d]) / static_cast<double>(here.size());
+        for (std::size_t i = 0; i < here.size(); ++i)
+            farthest = std::max(farthest, std::abs(there[i][d] - here[i][d] - moved));
+    }
+    if (farthest < 1e-2 * spacing)
+        return {};
+    return text("checkpoint ", path, ": ", name, " has another shape there than in this scene, by up to ", farthest,
+                " m (", farthest / spacing, " spacings)", goes_on);
+}
+
 /// What a long line says around the place where it parts from another: "terms of Water: ... Diffusion<WendlandC4> ...".
 /// @param same how many characters the two have in common at the beginning
 inline std::string around_difference(const std::string& line, std::size_t same) {
@@ -196,6 +271,7 @@ template <class Scene>
 std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
     CheckpointWriter state;
     state.bytes = checkpoint_head(scene);
+    state(checkpoint_numbers(scene));
     state(std::uint64_t{notes.size()});
     for (const auto& [name, value] : notes) {
         state(name);
@@ -272,6 +348,8 @@ CheckpointNotes restore(Scene& scene, const std::string& all, const std::string&
             "' where this scene has '", ours, "'");
 
     CheckpointReader state{content.substr(found.size()), path};
+    std::string numbers;
+    state(numbers);
     CheckpointNotes notes;
     std::uint64_t count = 0;
     state(count);
@@ -282,7 +360,14 @@ CheckpointNotes restore(Scene& scene, const std::string& all, const std::string&
         state(value);
         notes[name] = value;
     }
+    const bool is_new = scene.steps() == 0; // else its own walls may have been moved
+    const auto here = places_that_stay(scene.outline());
     scene.archive(state);
+    scene.warn(warning_of_other_numbers(numbers, checkpoint_numbers(scene), path));
+    const OutlineOfScene outline = scene.outline();
+    const auto there = places_that_stay(outline);
+    for (std::size_t k = 0; k < there.size() && is_new; ++k)
+        scene.warn(warning_of_other_body(outline.phases[k].name, here[k], there[k], outline.phases[k].spacing, path));
     return notes;
 }
 
@@ -290,9 +375,10 @@ CheckpointNotes restore(Scene& scene, const std::string& all, const std::string&
 
 /// Brings a scene to the state in a checkpoint. The scene must be made as it was for the run that wrote it: the same
 /// composition, number type, densities, spacings, supports, origin and periods, with its phases added; how many
-/// particles they have does not matter. Other numbers of materials, coefficients and settings are those of this scene,
-/// but by how much steps were shortened (Solver::shorten_steps) is the file's, beside which a CFL number given anew
-/// counts. The run then goes on to the same bits as if it had not stopped.
+/// particles they have does not matter. Other numbers of materials, coefficients and settings are those of this scene
+/// (a warning says how materials and coefficients differ, and where a wall, or the stress-free places of a solid, are
+/// others than those added to this scene), but by how much steps were shortened (Solver::shorten_steps) is the file's,
+/// beside which a CFL number given anew counts. The run then goes on to the same bits as if it had not stopped.
 /// @return the numbers the program gave along
 /// @throws Error, with the scene as it was, for a file that is missing, cut off, damaged, or of another scene; it names
 /// the difference
@@ -319,8 +405,7 @@ public:
     /// @param simulated time between two, s: one is due at every multiple of it, too; infinite: by wall time only
     /// @throws Error now if the folder cannot be written, for an interval out of range, or for a name of more than 241
     ///     bytes
-    Checkpoints(std::filesystem::path path, double seconds,
-                double simulated = std::numeric_limits<double>::infinity())
+    Checkpoints(std::filesystem::path path, double seconds, double simulated = std::numeric_limits<double>::infinity())
         : path_(std::move(path)), seconds_(seconds), simulated_(simulated) {
         require(std::isfinite(seconds) && seconds >= 0, "seconds between checkpoints = ", seconds,
                 "; it must be a finite number not below 0");

@@ -69,10 +69,20 @@ std::string material_in_words(const P& material) {
     return words;
 }
 
+/// A line that names the pairs of phases between which nothing acts, or none.
+inline std::string uncoupled_in_words(const OutlineOfScene& scene, const std::vector<PhasePair>& pairs) {
+    std::string words;
+    for (const PhasePair& pair : pairs)
+        if (!pair.coupled)
+            words += text(words.empty() ? "Nothing acts between: " : "; ", scene[pair.first].name, " and ",
+                          scene[pair.second].name);
+    return words.empty() ? words : words + "\n";
+}
+
 } // namespace detail
 
 /// The report of a scene: which effects are on, what a particle stores, how the work is scheduled, how many neighbours
-/// there are, and what limits the time step. Prepares the scene for its first step.
+/// there are, between which phases nothing acts, and what limits the time step. Prepares the scene for its first step.
 template <class Scene>
 std::string describe(Scene& scene) {
     using Costs = imbibe::Costs<Scene>;
@@ -99,6 +109,7 @@ std::string describe(Scene& scene) {
                     "): ", detail::names_of(typename C::terms{}), "\n");
     };
     [&]<class... C>(TypeList<C...>) { (coupling(std::type_identity<C>{}), ...); }(typename Scene::Couplings{});
+    out += detail::uncoupled_in_words(scene.outline(), detail::pairs_of_phases(engine));
     out += text("Schedule: ", Costs::rounds, " rounds, ", Costs::loops,
                 " loops\nMemory: ", static_cast<double>(engine.particle_bytes()) * 1e-6, " MB for particles, ",
                 static_cast<double>(engine.list_bytes()) * 1e-6, " MB for neighbours\n");
@@ -114,8 +125,6 @@ std::string describe(Scene& scene) {
         out += "\n  within it:" + detail::limits_in_words(scene.substep_limits());
     const auto next = scene.next_step();
     out += text("\n  first step ", next.seconds, " s, from ", next.reason, " (", next.where, ")\n");
-    for (const auto& warning : scene.warnings())
-        out += "Warning: " + warning + "\n";
 #ifndef __OPTIMIZE__
     out += "Warning: compiled without optimisation, which is many times slower; give the compiler -O3 "
            "-march=native, or CMake -DCMAKE_BUILD_TYPE=Release\n";

@@ -4,6 +4,7 @@
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
+#include <imbibe/solver/material_numbers.hpp>
 
 #include <string>
 #include <type_traits>
@@ -34,22 +35,15 @@ void check_terms(const Owner& owner, TypeList<Term...>) {
         (check(std::type_identity<Term>{}), ...);
 }
 
-/// Throws Error unless particles that are added to a phase are of the material, the spacing and the support radius (m)
-/// that it has: its material as it is, that of the new ones, theirs, and the name of the phase.
-void require_same_material(const auto& phase, const auto& material, double spacing, double support,
-                           const std::string& name) {
-    const auto check = [&](double before, double now, const char* what, const char* unit) {
-        require(before == now, name, ": particles were added with ", what, " ", before, " ", unit, " before and ", now,
-                " ", unit, " now; use a second phase for a second material or spacing");
-    };
-    check(phase.spacing, spacing, "spacing", "m");
-    check(phase.density, material.density, "density", "kg/m^3");
-    check(phase.sound_speed, material.sound_speed, "sound speed", "m/s");
-    check(phase.support_radius, support, "support radius", "m");
-    if constexpr (requires { material.viscosity; })
-        check(phase.viscosity, material.viscosity, "viscosity", "Pa s");
-    if constexpr (requires { material.shear_modulus; })
-        check(phase.shear_modulus, material.shear_modulus, "shear modulus", "Pa");
+/// Throws Error unless particles that are added to a phase are of the material that it has, with its spacing, its
+/// support radius and its coefficients.
+template <class P>
+void require_same_material(const P& phase, const P& added, const std::string& name) {
+    const NamedNumbers before = numbers_of_owner(phase), now = numbers_of_owner(added);
+    for (std::size_t k = 0; k < before.size(); ++k)
+        require(before[k] == now[k], name, ": particles were added with ", before[k].first, " ", before[k].second,
+                " before and ", now[k].second, " now; use a second phase for a second material or spacing, or change ",
+                "that of all particles by scene[phase].material()");
 }
 
 /// Throws Error if two couplings give different coefficients to one part of one phase, which both ask for.

@@ -7,8 +7,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <string>
 
 namespace imbibe {
+
+/// Prints "Warning: <sentence>" to the standard error stream.
+inline void print_warning(const std::string& sentence) {
+    std::fprintf(stderr, "Warning: %s\n", sentence.c_str());
+}
 
 /// The numbers of a scene that belong to no phase.
 template <int dim>
@@ -45,6 +53,9 @@ struct Settings {
     double search_skin = 0;
     /// Threads, at most 1024; 0: all of the machine.
     int threads = 0;
+    /// Is called with each warning (`Solver::warnings`) as it comes: what deserves a look but is no error. A program
+    /// may take them over, as into its own log; an empty function says nothing.
+    std::function<void(const std::string&)> on_warning = print_warning;
 
     /// Throws Error for a number that is not finite or out of range.
     void check() const {

@@ -5,6 +5,7 @@
 #include <imbibe/solver/engine.hpp>
 #include <imbibe/solver/joined_bodies.hpp>
 #include <imbibe/solver/scene_checks.hpp>
+#include <imbibe/solver/scene_watch.hpp>
 #include <imbibe/solver/settings.hpp>
 #include <imbibe/solver/time_step_limits.hpp>
 #include <imbibe/solver/warnings.hpp>
@@ -59,7 +60,8 @@ public:
     using Point = Eigen::Matrix<double, dim, 1>;
 
     /// @throws Error for a setting that is not finite or out of range
-    explicit Solver(const Settings<dim>& with) : settings_(with), given_{with.cfl, with.time_step, with.max_time_step} {
+    explicit Solver(const Settings<dim>& with)
+        : settings_(with), given_{with.cfl, with.time_step, with.max_time_step}, warnings_(with.on_warning) {
         with.check();
         for (std::size_t d = 0; d < dim; ++d)
             engine_.gravity[static_cast<int>(d)] = with.gravity[d];
@@ -77,7 +79,7 @@ public:
     /// Adds particles of a phase at the given points; each has mass density * spacing^dim.
     ///
     /// May be called again for the same phase: the material given first is that of the phase (change it by
-    /// `scene[phase].material()`), so density and spacing must be the same.
+    /// `scene[phase].material()`), so all numbers of the material, its coefficients and the spacing must be the same.
     ///
     /// Particles of a total-Lagrangian phase are neighbours for good of those that they are added within a support
     /// radius of: two calls, or two bodies in one, so near to each other make one body. A body that is added to a run
@@ -197,9 +199,17 @@ public:
         engine_.for_each_phase([&](auto, const auto& s) { n += s.size(); });
         return n;
     }
-    /// What deserves a look but is no error, found while particles were added and before the first step. Progress
-    /// and `describe` show it.
+    /// What deserves a look but is no error, found while particles were added, before the first step and during the
+    /// run. Settings::on_warning was called with each.
     const std::vector<std::string>& warnings() const { return warnings_.sentences(); }
+    /// Adds one: a sentence of the program's own, or of a part of the library, once.
+    void warn(const std::string& sentence) { warnings_.note(sentence); }
+    /// The phases, and the bodies of one phase, that have met though nothing acts between them: two phases that no
+    /// coupling names, two bodies of a total-Lagrangian phase without a term between them. They are looked for at every
+    /// tenth step, where speeds allow them to have met; each is a warning, and a Guard ends the run.
+    const std::vector<Meeting>& meetings() const { return watch_.met(); }
+    /// The scene as it is now, whatever terms it has; for parts of the library.
+    detail::OutlineOfScene outline() const { return detail::outline_of(engine_, settings_.origin); }
     /// For parts of the library that need more than views.
     const Engine& engine() const { return engine_; }
 
@@ -295,8 +305,8 @@ public:
     /// which writes it or reads it back, in the order of this function. Particles are sorted, so views end here.
     template <class Archive>
     void archive(Archive& archive) {
-        // Both sort, and search at the next step: so this run and one that is continued from here stay the same. What is
-        // written is sorted: a second time, or where one was written at the step before, it is the same bytes.
+        // Both sort, and search at the next step: so this run and one that is continued from here stay the same. What
+        // is written is sorted: a second time, or where one was written at the step before, it is the same bytes.
         if constexpr (Archive::reading) {
             check_phases(Phases{});
             check_couplings(Couplings{});
@@ -319,6 +329,7 @@ public:
             engine_.find_reference_neighbours();
             prepared_ = true;
             engine_.search_neighbours();
+            watch_.start_anew(engine_, settings_.origin, time_, warnings_);
         }
         engine_.forget_neighbours();
         engine_.archive_motion(archive);
@@ -342,6 +353,7 @@ private:
     double shortened_ = 1; // the part of shorten_steps in settings_
     TimeStepLimit last_step_{0, "none yet", "start"};
     detail::Warnings warnings_;
+    detail::SceneWatch<Engine> watch_;
 
     void take(const TimeStepLimit& chosen);
     // From what was given, so that a restarted run rounds as the run did.
@@ -507,8 +519,11 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
             require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
                     "; all coordinates must be finite numbers, m");
     auto& s = *find_phase<P>(engine_);
+    P complete = material;
+    complete.spacing = spacing;
+    complete.support_radius = support;
     if (s.size() > 0)
-        detail::require_same_material(s.material, material, spacing, support, name);
+        detail::require_same_material(s.material, complete, name);
     require(static_cast<double>(s.size()) + static_cast<double>(points.size()) < 0x1p31, name, ": ", points.size(),
             " points for a phase of ", s.size(), " particles; at most 2^31 - 1 are possible");
     if constexpr (std::is_same_v<Real, float>) // products of two volumes are formed
@@ -523,11 +538,8 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
             places, s.size(), [&](int i) { return place_of(s, i, reference_position); },
             [&](int i) { return place_of(s, i); }, support, engine_.periodic,
             Eigen::Map<const Point>(settings_.origin.data()), name);
-    if (s.size() == 0) {
-        s.material = material;
-        s.material.spacing = spacing;
-        s.material.support_radius = support;
-    }
+    if (s.size() == 0)
+        s.material = complete;
     detail::note_doubts_of_material<dim>(warnings_, s.material, name, typename P::terms{});
     const int before = s.size();
     s.resize(before + static_cast<int>(points.size()));
@@ -571,9 +583,12 @@ void Solver<dim, Real_, Integrator_, Items...>::prepare() {
         engine_.find_reference_neighbours();
     }
     engine_.search_neighbours();
+    if (anew &&
+        steps_ == 0) // what is added to a run has been looked at by then, or motion has brought the two together
+        detail::note_doubts_of_scene(warnings_, engine_, settings_.origin, outline(), Phases{}, Couplings{});
+    if (!prepared_)
+        watch_.look_at_added(engine_, settings_.origin, time_, warnings_);
     if (anew) {
-        if (steps_ == 0) // what is added to a run comes where there is room, or motion has brought the two together
-            detail::note_doubts_of_scene(warnings_, engine_, settings_.origin, Phases{}, Couplings{});
         engine_.template run<typename Scene::Once>(0);
     }
     if constexpr (steps_are_defined && requires { Integrator::start(engine_); })
@@ -613,6 +628,7 @@ void Solver<dim, Real_, Integrator_, Items...>::take(const TimeStepLimit& chosen
     }
     time_ += chosen.seconds;
     ++steps_;
+    watch_.look_after_step(engine_, settings_.origin, time_, chosen.seconds, warnings_);
 }
 
 } // namespace imbibe

@@ -141,7 +141,7 @@ private:
         if (engine_.template state<A>().size() == 0 || engine_.template state<B>().size() == 0 ||
             engine_.template are_apart<A, B>())
             return;
-        TimeStepInput in = input_of<A>();
+        [[maybe_unused]] TimeStepInput in = input_of<A>();
         const TimeStepInput other = input_of<B>();
         in.support_radius = engine_.template support<A, B>();
         in.other_spacing = other.spacing;

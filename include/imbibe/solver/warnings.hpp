@@ -1,14 +1,16 @@
-// What is doubtful about a scene, said before it runs: a support that is too narrow, phases that overlap or do not see
-// each other, a fluid that its own weight compresses, a solid that is nearly incompressible, coordinates that float
-// does not hold.
+// What is doubtful about a scene, said before it runs: a support that is too narrow, phases that overlap, a fluid that
+// its own weight compresses, a solid that is nearly incompressible, coordinates that float does not hold. How particles
+// lie is looked at in layout_checks.hpp.
 #pragma once
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
 #include <imbibe/geometry/point.hpp>
+#include <imbibe/solver/layout_checks.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -20,14 +22,20 @@ namespace imbibe::detail {
 /// Sentences, each once.
 class Warnings {
 public:
+    /// @param tell is called with each as it comes; may be empty
+    explicit Warnings(std::function<void(const std::string&)> tell) : tell_(std::move(tell)) {}
     /// Takes one; nothing is said by an empty one.
     void note(const std::string& sentence) {
-        if (!sentence.empty() && std::find(sentences_.begin(), sentences_.end(), sentence) == sentences_.end())
-            sentences_.push_back(sentence);
+        if (sentence.empty() || std::find(sentences_.begin(), sentences_.end(), sentence) != sentences_.end())
+            return;
+        sentences_.push_back(sentence);
+        if (tell_)
+            tell_(sentence);
     }
     const std::vector<std::string>& sentences() const { return sentences_; }
 
 private:
+    std::function<void(const std::string&)> tell_;
     std::vector<std::string> sentences_;
 };
 
@@ -93,36 +101,20 @@ constexpr bool are_coupled(TypeList<C...>) {
             ...);
 }
 
-/// A sentence if particles of a phase are not as far apart as the spacing that they were added with, which gives their
+/// A sentence if particles of a phase are further apart than the spacing that they were added with, which gives their
 /// mass, or an empty one. The nearest one is a spacing away on square and cubic lattices, 1.12 on a face-centred one,
-/// and 0.6 where particles of a lattice are moved at random by up to 0.3 spacings.
+/// and 0.6 where particles of a lattice are moved at random by up to 0.3 spacings. (Nearer ones are crowded.)
 /// @param link of the phase to itself
 template <class Link, class Engine>
 std::string warning_of_other_spacing(const Link& link, const Engine& engine) {
     using P = typename Link::A;
     const double spacing = engine.template state<P>().material.spacing;
     const double apart = engine.pairs_of(link).median_nearest();
-    if (apart == 0 || (apart > 0.5 * spacing && apart < 1.4 * spacing))
+    if (apart == 0 || apart < 1.4 * spacing) // 0: none has another within reach
         return {};
     return text(type_name<P>(), ": its particles were added with a spacing of ", spacing, " m, and the next one is ",
                 apart, " m away (the median). Each has the mass density * spacing^dim, so the spacing must be that of ",
                 "the points");
-}
-
-/// A sentence if a fluid lies beside another phase and is not coupled to it, or an empty one.
-/// @param engine after a search
-template <class A, class B, class Couplings, class Engine>
-std::string warning_of_no_coupling(const Engine& engine) {
-    if constexpr (is_fluid<A> && !std::is_same_v<A, B> && !are_coupled<A, B>(Couplings{}))
-        if (!engine.template are_apart<A, B>()) {
-            std::string fluid = type_name<A>(), other = type_name<B>();
-            if (is_fluid<B> && other < fluid) // the same sentence for both
-                std::swap(fluid, other);
-            return text(other, " is within reach of ", fluid, ", which does not see it: the two have ",
-                        "no coupling. List one in the solver, as in struct Sides : Coupling<", fluid, ", ", other,
-                        ", ...>");
-        }
-    return {};
 }
 
 /// A sentence if a coupling pushes a fluid by pressure, and the fluid's density, which follows from its motion, does
@@ -145,20 +137,48 @@ std::string warning_of_no_continuity(const Engine& engine) {
     return {};
 }
 
-/// A sentence if a fluid is compressed by a twentieth under its own weight, or an empty one.
+/// The greatest difference of the potential of gravity (m/s^2), m^2/s^2, between particles of one body of a fluid;
+/// particles up to 1.5 spacings apart belong to one. Periodic directions do not count.
+inline double greatest_head(const Outline& fluid, const Coordinates& gravity, const OutlineOfScene& scene) {
+    const std::vector<int> body = bodies_of(fluid.now, 1.5 * fluid.spacing, scene);
+    std::vector<OutlineBox> boxes;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        boxes.resize(std::max(boxes.size(), static_cast<std::size_t>(body[i]) + 1));
+        boxes[static_cast<std::size_t>(body[i])].include(fluid.now.at(static_cast<int>(i)));
+    }
+    double most = 0;
+    for (const OutlineBox& box : boxes) {
+        double head = 0;
+        for (std::size_t d = 0; d < 3; ++d)
+            if (scene.period[d] == 0)
+                head += std::abs(gravity[d]) * (box.upper[d] - box.lower[d]);
+        most = std::max(most, head);
+    }
+    return most;
+}
+
+/// A sentence if a fluid is compressed by a twentieth under its own weight, or an empty one. Bodies of it that do not
+/// touch do not press on each other.
 /// @param engine after a search
 template <class P, class Engine>
-std::string warning_of_soft_fluid(const Engine& engine) {
+std::string warning_of_soft_fluid(const Engine& engine, const Outline& outline, const OutlineOfScene& scene) {
     if constexpr (is_fluid<P>) {
         const auto& s = engine.template state<P>();
         double potential = 0; // of the highest particle over the lowest, m^2/s^2
         for (std::size_t d = 0; d < static_cast<std::size_t>(Engine::dimension) && s.size() > 0; ++d)
             if (engine.periodic.length[d] == 0)
                 potential += std::abs(engine.gravity[static_cast<int>(d)]) * (s.bounds.upper[d] - s.bounds.lower[d]);
-        if (const double share = potential / sq(s.material.sound_speed); share > 0.05)
+        const double stiffness = sq(s.material.sound_speed);
+        if (potential > 0.05 * stiffness) {
+            Coordinates gravity{};
+            for (int d = 0; d < Engine::dimension; ++d)
+                gravity[static_cast<std::size_t>(d)] = engine.gravity[d];
+            potential = greatest_head(outline, gravity, scene);
+        }
+        if (potential > 0.05 * stiffness)
             return text(type_name<P>(), ": with a sound speed of ", s.material.sound_speed, " m/s its weight alone ",
-                        "compresses it by ", 100 * share, " % at the bottom; ", std::sqrt(200 * potential),
-                        " m/s, ten times the speed of a fall from top to bottom, is usual");
+                        "compresses it by ", 100 * potential / stiffness, " % at the bottom; ",
+                        std::sqrt(200 * potential), " m/s, ten times the speed of a fall from top to bottom, is usual");
     }
     return {};
 }
@@ -232,21 +252,38 @@ void note_doubts_of_material(Warnings& warnings, const P& material, const std::s
 }
 
 /// Notes what is doubtful about how the particles of a scene lie, and about what its couplings count.
-/// @param engine after a search, @param origin of its coordinates, m
+/// @param engine after a search, @param origin of its coordinates, m, @param scene its outline
 template <class Engine, class Origin, class... P, class... C>
-void note_doubts_of_scene(Warnings& warnings, const Engine& engine, const Origin& origin, TypeList<P...>,
-                          TypeList<C...>) {
-    (engine.template with_link_of<C>(
-         [&](const auto& link) { warnings.note(warning_of_overlap(link, engine, origin)); }),
-     ...);
-    const auto look_at_pair = [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
-        warnings.note(warning_of_no_coupling<A, B, TypeList<C...>>(engine));
+void note_doubts_of_scene(Warnings& warnings, const Engine& engine, const Origin& origin, const OutlineOfScene& scene,
+                          TypeList<P...>, TypeList<C...>) {
+    const auto outline = [&]<class Q>(std::type_identity<Q>) -> const Outline& {
+        return scene[Engine::Composition::template phase_index<Q>];
     };
+    [[maybe_unused]] const auto look_at_coupling = [&]<class Q>(std::type_identity<Q>, double nearest) {
+        using A = typename Q::First;
+        using B = typename Q::Second;
+        const Outline &a = outline(std::type_identity<A>{}), &b = outline(std::type_identity<B>{});
+        const double reach = engine.template support<A, B>();
+        if (a.size() == 0 || b.size() == 0)
+            return;
+        warnings.note(warning_of_wide_spacing(a, b, reach));
+        warnings.note(warning_of_other_lattice(a, b, nearest, scene.dim));
+        if constexpr (is_fluid<A> != is_fluid<B> &&
+                      !asks_for_nearest(typename Q::terms{})) // a repulsion holds by itself
+            warnings.note(warning_of_thin_wall(is_fluid<A> ? b : a, is_fluid<A> ? a : b, reach, scene));
+    };
+    (engine.template with_link_of<C>([&](const auto& link) {
+        warnings.note(warning_of_overlap(link, engine, origin));
+        look_at_coupling(std::type_identity<C>{}, engine.pairs_of(link).nearest(engine.threads));
+    }),
+     ...);
     const auto look_at = [&]<class A>(std::type_identity<A> phase) {
-        if (engine.template state<A>().size() == 0)
+        const Outline& a = outline(phase);
+        if (a.size() == 0)
             warnings.note(text(type_name<A>(), " has no particles; was scene.add forgotten?"));
-        warnings.note(warning_of_soft_fluid<A>(engine));
-        (look_at_pair(phase, std::type_identity<P>{}), ...);
+        warnings.note(warning_of_soft_fluid<A>(engine, a, scene));
+        if (a.kind == Kind::solid)
+            warnings.note(warning_of_one_layer(a, scene));
     };
     (look_at(std::type_identity<P>{}), ...);
     engine.for_each_link([&]<class L>(const L& link) {

@@ -1,0 +1,265 @@
+// A scene as checks of it see it, whatever its dimension, its numbers and its terms are: phases by name, kind, spacing
+// and places of particles. Checks that work on outlines are ordinary code, which no scene makes a compiler read anew.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/solver/loops.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace imbibe::detail {
+
+/// A place in the plane (its third coordinate is 0) or in space, m.
+using Coordinates = std::array<double, 3>;
+
+/// The columns of a vector field of n particles, in float or double.
+struct OutlineColumns {
+    std::array<const void*, 3> x{}; ///< of each dimension; null beyond
+    int n = 0;
+    bool in_float = false;
+
+    double at(std::size_t d, int i) const {
+        return in_float ? static_cast<double>(static_cast<const float*>(x[d])[i]) : static_cast<const double*>(x[d])[i];
+    }
+    Coordinates at(int i) const {
+        Coordinates place{};
+        for (std::size_t d = 0; d < 3 && x[d] != nullptr; ++d)
+            place[d] = at(d, i);
+        return place;
+    }
+};
+
+/// What moves the particles of a phase, and what acts between them.
+enum class Kind { fluid, solid, wall };
+
+/// A phase.
+struct Outline {
+    std::string name;
+    Kind kind = Kind::wall;
+    double spacing = 0, support_radius = 0; ///< m
+    OutlineColumns now;                     ///< where its particles are, without the origin, m
+    OutlineColumns at_rest;                 ///< where they are free of stress, in a total-Lagrangian phase; else `now`
+    OutlineColumns mobility;                ///< 0 where a particle is held; no column where none can be
+    const std::uint32_t* ids = nullptr;     ///< ids[i] is the number particle i had when it was added
+    long long ever_added = 0;               ///< all ids are below
+    bool knows_bodies = false;              ///< is it total-Lagrangian, and does nothing act between its bodies?
+
+    int size() const { return now.n; }
+};
+
+/// What phases share.
+struct OutlineOfScene {
+    std::vector<Outline> phases;
+    int dim = 3;
+    Coordinates origin{};          ///< of all places, m
+    Coordinates lower{}, period{}; ///< the periodic sides, m; a period of 0: none
+    int threads = 1;
+
+    const Outline& operator[](int k) const { return phases[static_cast<std::size_t>(k)]; }
+    /// "(0.1, 0.2) m", in the coordinates of the world.
+    std::string text_of(const Coordinates& place) const {
+        std::string words = "(";
+        for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d)
+            words += text(d == 0 ? "" : ", ", place[d] + origin[d]);
+        return words + ") m";
+    }
+};
+
+/// Two phases of a scene by their numbers, and how far they would see, or see, each other, m.
+struct PhasePair {
+    int first, second;
+    double reach;
+    bool coupled;
+};
+
+/// The smallest box around some places.
+struct OutlineBox {
+    Coordinates lower{1e300, 1e300, 1e300}, upper{-1e300, -1e300, -1e300};
+
+    void include(const Coordinates& x) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            lower[d] = std::min(lower[d], x[d]);
+            upper[d] = std::max(upper[d], x[d]);
+        }
+    }
+    /// Is a place in it or within `reach` of it, judged along the sides that do not repeat?
+    bool is_near(const Coordinates& x, double reach, const Coordinates& period) const {
+        for (std::size_t d = 0; d < 3; ++d)
+            if (period[d] == 0 && !(x[d] >= lower[d] - reach && x[d] <= upper[d] + reach))
+                return false;
+        return true;
+    }
+};
+inline OutlineBox box_around(const OutlineColumns& columns) {
+    OutlineBox box;
+    for (int i = 0; i < columns.n; ++i)
+        box.include(columns.at(i));
+    return box;
+}
+
+/// Some places, sorted into cells, for looking up which of them are near another. For checks; the search of a run is in
+/// search/.
+class PlacesByCell {
+    using Cell = std::array<long long, 3>;
+
+public:
+    /// @param reach how far is near, m; a period at most, so that no place is seen twice
+    PlacesByCell(const std::vector<Coordinates>& places, double reach, const OutlineOfScene& scene)
+        : reach_(reach), period_(scene.period), lower_(scene.lower) {
+        OutlineBox box;
+        for (const Coordinates& x : places)
+            box.include(x);
+        for (std::size_t d = 0; d < 3; ++d)
+            if (period_[d] > 0)
+                reach_ = std::min(reach_, period_[d]);
+            else
+                lower_[d] = box.lower[d];
+        for (std::size_t d = 0; d < 3; ++d) { // whole cells in a period
+            cells_[d] = period_[d] > 0 ? std::clamp(static_cast<long long>(period_[d] / reach_), 1ll, most) : 0;
+            width_[d] = cells_[d] > 0 ? period_[d] / static_cast<double>(cells_[d]) : reach_;
+        }
+        std::vector<std::pair<std::uint64_t, int>> order;
+        order.reserve(places.size());
+        for (const Coordinates& x : places)
+            order.emplace_back(key_of(cell_of(wrapped(x))), static_cast<int>(order.size()));
+        std::sort(order.begin(), order.end());
+        for (const auto& [key, i] : order) {
+            keys_.push_back(key);
+            numbers_.push_back(i);
+            places_.push_back(wrapped(places[static_cast<std::size_t>(i)]));
+        }
+    }
+    /// The places in the order of the cells: looked up in this order, each finds the cells that the one before had.
+    const std::vector<int>& order() const { return numbers_; }
+
+    /// Looks up what is near places, one after the other. For one thread.
+    class Lookup {
+    public:
+        explicit Lookup(const PlacesByCell& cells) : cells_(cells) {}
+        /// Calls f(j, offset, distance) for every place j nearer to x than the reach; `offset` is the vector to x from
+        /// j, or from its image, m.
+        template <class F>
+        void for_each_near(const Coordinates& x, const F& f) {
+            const Coordinates here = cells_.wrapped(x);
+            if (const Cell own = cells_.cell_of(here); ranges_.empty() || own != own_) {
+                own_ = own;
+                find_ranges();
+            }
+            for (const auto& [begin, end] : ranges_)
+                for (std::size_t k = begin; k < end; ++k) {
+                    const Coordinates& there = cells_.places_[k];
+                    Coordinates offset;
+                    double distance2 = 0;
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        offset[d] = here[d] - there[d];
+                        if (cells_.period_[d] > 0)
+                            offset[d] -= cells_.period_[d] * std::round(offset[d] / cells_.period_[d]);
+                        distance2 += offset[d] * offset[d];
+                    }
+                    if (distance2 < cells_.reach_ * cells_.reach_)
+                        f(cells_.numbers_[k], offset, std::sqrt(distance2));
+                }
+        }
+
+    private:
+        const PlacesByCell& cells_;
+        Cell own_{};
+        std::vector<std::pair<std::size_t, std::size_t>> ranges_; // of the places in the cells around
+
+        void find_ranges() {
+            ranges_.clear();
+            Cell from = own_, to = own_;
+            for (std::size_t d = 0; d < 3; ++d) {
+                const bool few = cells_.cells_[d] > 0 && cells_.cells_[d] < 3; // each once
+                from[d] = few ? 0 : own_[d] - 1;
+                to[d] = few ? cells_.cells_[d] - 1 : own_[d] + 1;
+            }
+            Cell cell;
+            for (cell[2] = from[2]; cell[2] <= to[2]; ++cell[2])
+                for (cell[1] = from[1]; cell[1] <= to[1]; ++cell[1])
+                    for (cell[0] = from[0]; cell[0] <= to[0]; ++cell[0])
+                        add(cells_.repeated(cell));
+        }
+        void add(const Cell& cell) {
+            const auto key = key_of(cell);
+            const auto begin = std::lower_bound(cells_.keys_.begin(), cells_.keys_.end(), key),
+                       end = std::upper_bound(begin, cells_.keys_.end(), key);
+            if (begin != end)
+                ranges_.emplace_back(begin - cells_.keys_.begin(), end - cells_.keys_.begin());
+        }
+    };
+
+private:
+    static constexpr long long most = 1ll << 20; // cells in a direction; what is beyond lies in the last one
+    double reach_;
+    Coordinates period_, lower_, width_{};
+    Cell cells_{}; // in a period
+    std::vector<std::uint64_t> keys_;
+    std::vector<Coordinates> places_;
+    std::vector<int> numbers_;
+
+    Coordinates wrapped(Coordinates x) const {
+        for (std::size_t d = 0; d < 3; ++d)
+            if (period_[d] > 0)
+                x[d] -= period_[d] * std::floor((x[d] - lower_[d]) / period_[d]);
+        return x;
+    }
+    Cell cell_of(const Coordinates& x) const {
+        Cell cell;
+        for (std::size_t d = 0; d < 3; ++d)
+            cell[d] = static_cast<long long>(
+                std::floor(std::clamp((x[d] - lower_[d]) / width_[d], -1.0, static_cast<double>(most))));
+        return repeated(cell);
+    }
+    Cell repeated(Cell cell) const {
+        for (std::size_t d = 0; d < 3; ++d)
+            if (cells_[d] > 0)
+                cell[d] = (cell[d] + cells_[d]) % cells_[d];
+        return cell;
+    }
+    static std::uint64_t key_of(const Cell& cell) {
+        std::uint64_t key = 0;
+        for (std::size_t d = 3; d-- > 0;)
+            key = key << 21 | static_cast<std::uint64_t>(cell[d] + 2);
+        return key;
+    }
+};
+
+/// Numbers the bodies that places make: two that are nearer than `reach`, m, belong to one. The i-th number is the body
+/// of place i; bodies are numbered in the order of their first places.
+inline std::vector<int> bodies_of(const OutlineColumns& columns, double reach, const OutlineOfScene& scene) {
+    std::vector<Coordinates> places;
+    for (int i = 0; i < columns.n; ++i)
+        places.push_back(columns.at(i));
+    const PlacesByCell cells(places, reach, scene);
+    PlacesByCell::Lookup near(cells);
+    std::vector<int> number(places.size(), -1), ahead;
+    int bodies = 0;
+    const auto join = [&](int j, const Coordinates&, double) {
+        if (int& of_j = number[static_cast<std::size_t>(j)]; of_j < 0) {
+            of_j = bodies;
+            ahead.push_back(j);
+        }
+    };
+    for (int first = 0; first < columns.n; ++first) {
+        if (number[static_cast<std::size_t>(first)] >= 0)
+            continue;
+        join(first, {}, 0);
+        while (!ahead.empty()) {
+            const int i = ahead.back();
+            ahead.pop_back();
+            near.for_each_near(places[static_cast<std::size_t>(i)], join);
+        }
+        ++bodies;
+    }
+    return number;
+}
+
+} // namespace imbibe::detail
