@@ -59,7 +59,8 @@ struct PlateViscosity : PlateWith<TotalLagrangianViscosity<K>> {};
 struct PlateClamped : PlateWith<Clamped> {};
 struct PlateCauchy : PlateWith<CauchyStress> {};
 struct PlateAveraged : PlateWith<TimeAveragedMotion> {};
-struct PlateNeoHookean : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>> {};
+struct PlateNeoHookean
+    : Solid<ReferenceCorrection<K>, DeformationGradient<K>, CompressibleNeoHookean, TotalLagrangianForce<K>> {};
 struct PlateFinite : Solid<ReferenceCorrection<K>, DeformationGradient<K>, FiniteStrainLimit<StVenantKirchhoff>,
                            TotalLagrangianForce<K>> {};
 struct PlateVolumetric
@@ -230,7 +231,8 @@ Cases all_cases() {
     add<PlateClamped>(cases, "`Clamped`", "holds some of the particles where they are");
     add<PlateCauchy>(cases, "`CauchyStress`", "the stress as others write it, for output");
     add<PlateAveraged>(cases, "`TimeAveragedMotion`", "a stiff solid that `Subcycled` steps by itself");
-    add<PlateNeoHookean>(cases, "`NeoHookean` in place of `StVenantKirchhoff`", "large strains, above all compression");
+    add<PlateNeoHookean>(cases, "`CompressibleNeoHookean` in place of `StVenantKirchhoff`",
+                         "large strains, above all compression");
     add<PlateFinite>(cases, "`FiniteStrainLimit<StVenantKirchhoff>` in place of `StVenantKirchhoff`",
                      "solids that are held at great strains");
     add<PlatePairwise>(cases, "`PairwiseShearForce` in place of law and force",

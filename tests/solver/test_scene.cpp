@@ -559,7 +559,8 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
     }
     SECTION("a solid that is less compressible than its law bears") {
         struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>,
-                                   sph::FiniteStrainLimit<sph::NeoHookean>, sph::TotalLagrangianForce<K>> {};
+                                   sph::FiniteStrainLimit<sph::CompressibleNeoHookean>, sph::TotalLagrangianForce<K>> {
+        };
         struct Averaged : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>,
                                      sph::VolumetricDeviatoric<>, sph::TotalLagrangianForce<K>> {};
         const auto warnings = [&]<class P>(std::type_identity<P>, double nu) {

@@ -112,7 +112,8 @@ void check_part() {
 using InPacks = TypeList<LinearState, Tait<7>, Volume, SymmetricPressure<Spiky>::Prepare, StressForce<Spiky>::Prepare,
                          JaumannStress, HughesWingetStress<>, ParticleShifting<>::Detect, ParticleShifting<>::Shift,
                          AntuonoDiffusion<>::Correct, Displacement, DeformationGradient<>::Correct, StVenantKirchhoff,
-                         NeoHookean, CauchyStress, TotalLagrangianForce<>::Prepare, Xsph<Poly6>::Smooth, XsphTransport>;
+                         CompressibleNeoHookean, IsochoricNeoHookean, CauchyStress, TotalLagrangianForce<>::Prepare,
+                         Xsph<Poly6>::Smooth, XsphTransport>;
 
 /// Gives a particle some number for every field of Part's that it has none for.
 template <int dim, class P, class... F>
