@@ -53,13 +53,18 @@ struct RubberMonaghan : RubberWith<MonaghanViscosity<K>> {};
 struct RubberNormal : RubberWith<SurfaceNormal<K>> {};
 struct RubberHughesWinget
     : Solid<LinearState, Continuity<K>, VelocityGradient<K>, HughesWingetStress<>, StressForce<K>> {};
+struct RubberCorrected : Solid<LinearState, CurrentCorrection<K>, CorrectedContinuity<K>, CorrectedVelocityGradient<K>,
+                               JaumannStress, CorrectedStressForce<K>> {};
 struct Plate : PlateWith<> {};
 struct PlateHourglass : PlateWith<HourglassControl<K>> {};
 struct PlateViscosity : PlateWith<TotalLagrangianViscosity<K>> {};
 struct PlateClamped : PlateWith<Clamped> {};
 struct PlateCauchy : PlateWith<CauchyStress> {};
 struct PlateAveraged : PlateWith<TimeAveragedMotion> {};
-struct PlateNeoHookean : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>> {};
+struct PlateNeoHookean
+    : Solid<ReferenceCorrection<K>, DeformationGradient<K>, CompressibleNeoHookean, TotalLagrangianForce<K>> {};
+struct PlateIsochoric
+    : Solid<ReferenceCorrection<K>, DeformationGradient<K>, IsochoricNeoHookean, TotalLagrangianForce<K>> {};
 struct PlateFinite : Solid<ReferenceCorrection<K>, DeformationGradient<K>, FiniteStrainLimit<StVenantKirchhoff>,
                            TotalLagrangianForce<K>> {};
 struct PlateVolumetric
@@ -221,6 +226,10 @@ Cases all_cases() {
     add<RubberMonaghan>(cases, "`MonaghanViscosity`", "damps waves that go from particle to particle");
     add<RubberNormal>(cases, "`SurfaceNormal`", "which way a surface faces, for `SurfaceNormalPressure`");
     add<RubberHughesWinget>(cases, "`HughesWingetStress` in place of `JaumannStress`", "solids that turn far");
+    add<RubberCorrected>(cases,
+                         "`CorrectedContinuity`, `CorrectedVelocityGradient` and `CorrectedStressForce` with "
+                         "`CurrentCorrection` in place of those without",
+                         "strains that are right at free surfaces");
     add<Plate>(cases,
                "a total-Lagrangian solid: `ReferenceCorrection`, `DeformationGradient`, `StVenantKirchhoff`, "
                "`TotalLagrangianForce`",
@@ -230,7 +239,10 @@ Cases all_cases() {
     add<PlateClamped>(cases, "`Clamped`", "holds some of the particles where they are");
     add<PlateCauchy>(cases, "`CauchyStress`", "the stress as others write it, for output");
     add<PlateAveraged>(cases, "`TimeAveragedMotion`", "a stiff solid that `Subcycled` steps by itself");
-    add<PlateNeoHookean>(cases, "`NeoHookean` in place of `StVenantKirchhoff`", "large strains, above all compression");
+    add<PlateNeoHookean>(cases, "`CompressibleNeoHookean` in place of `StVenantKirchhoff`",
+                         "large strains, above all compression");
+    add<PlateIsochoric>(cases, "`IsochoricNeoHookean` in place of `StVenantKirchhoff`",
+                        "large strains, shape and volume apart");
     add<PlateFinite>(cases, "`FiniteStrainLimit<StVenantKirchhoff>` in place of `StVenantKirchhoff`",
                      "solids that are held at great strains");
     add<PlatePairwise>(cases, "`PairwiseShearForce` in place of law and force",

@@ -20,7 +20,7 @@ namespace {
 namespace plate_case = validation::oscillating_plate;
 using validation::ElasticPlate;
 
-struct NeoHookeanPlate : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<>, sph::NeoHookean,
+struct NeoHookeanPlate : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<>, sph::CompressibleNeoHookean,
                                     sph::TotalLagrangianForce<>, sph::HourglassControl<>, sph::Clamped> {};
 struct WithoutControl : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<>, sph::StVenantKirchhoff,
                                    sph::TotalLagrangianForce<>, sph::Clamped> {};

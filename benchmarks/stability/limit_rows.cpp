@@ -143,7 +143,7 @@ void add_limits(Table& table) {
         [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.3, 1.5); });
     row("StVenantKirchhoff, nu 0.499, H = 1.5", "shaken block in 3D",
         [](const Plan& p) { return shaken_block<3, Kirchhoff2>(p, 0.499, 1.5); });
-    row("NeoHookean, nu 0.3, H = 2", "shaken block",
+    row("CompressibleNeoHookean, nu 0.3, H = 2", "shaken block",
         [](const Plan& p) { return shaken_block<2, Hookean::Body>(p, 0.3, 2.01); });
     row("VolumetricDeviatoric, nu 0.499, H = 2", "shaken block",
         [](const Plan& p) { return shaken_block<2, Averaged::Body>(p, 0.499, 2.01); });

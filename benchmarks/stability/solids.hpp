@@ -28,7 +28,7 @@ struct TotalLagrangian {
                      sph::HourglassControl<K>, sph::TotalLagrangianViscosity<K>, sph::Clamped> {};
     static void set(Body&) {}
 };
-struct Hookean : TotalLagrangian<sph::NeoHookean> { // that of the preset
+struct Hookean : TotalLagrangian<sph::CompressibleNeoHookean> { // that of the preset
     static constexpr const char* name = "neo-Hookean";
 };
 struct Kirchhoff : TotalLagrangian<sph::StVenantKirchhoff> {

@@ -52,6 +52,7 @@
 #include <imbibe/search/neighbour_search.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
 #include <imbibe/solid/clamped.hpp>
+#include <imbibe/solid/corrected_gradients.hpp>
 #include <imbibe/solid/hughes_winget.hpp>
 #include <imbibe/solid/jaumann_stress.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>

@@ -1,7 +1,7 @@
 // The elastic energy of water, whose terms know of none.
 // expect: NoStoredEnergy
 // expect: no term of this phase has a stored_energy
-// expect: Block, imbibe::list_a_law_with_stored_energy_such_as_NeoHookean>
+// expect: Block, imbibe::list_a_law_with_stored_energy_such_as_CompressibleNeoHookean>
 #include "scene.hpp"
 
 #include <imbibe/monitor/energy.hpp>

@@ -7,8 +7,8 @@
 #include <imbibe/kernels/cubic_spline.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 
-struct Block : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<sph::CubicSpline>, sph::NeoHookean,
-                          sph::TotalLagrangianForce<sph::CubicSpline>> {};
+struct Block : sph::Solid<sph::ReferenceCorrection<>, sph::DeformationGradient<sph::CubicSpline>,
+                          sph::CompressibleNeoHookean, sph::TotalLagrangianForce<sph::CubicSpline>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Block>;
 
 int main() {

@@ -4,7 +4,7 @@
 # before (float-equal); structs have gaps (padded); a header has nowhere else to put a class's virtual functions
 # (weak-vtables); `default` is there for one of two values (switch-enum); C++20 is not C++98 (compat).
 #
-# <windows.h> makes two words disappear, near and far, so they are no names in the library.
+# What headers of common platforms define as macros (strict/platform_macros.hpp) are no names in the library.
 include(${CMAKE_CURRENT_LIST_DIR}/compile.cmake)
 if(COMPILER_ID STREQUAL Clang)
     set(warnings -Weverything -Wno-c++98-compat -Wno-c++98-compat-pedantic -Wno-c++20-compat -Wno-float-equal -Wno-padded
@@ -14,6 +14,6 @@ else()
                  -Wcast-qual -Wcast-align -Wdouble-promotion -Wnon-virtual-dtor -Woverloaded-virtual -Wduplicated-cond
                  -Wduplicated-branches -Wlogical-op -Wformat=2 -Wextra-semi -Wundef -Wredundant-decls)
 endif()
-compile(-O0 -Dnear= -Dfar= ${warnings} -Werror -I${INCLUDE} ${EIGEN} ${CMAKE_CURRENT_LIST_DIR}/strict/program.cpp
+compile(-O0 ${warnings} -Werror -I${INCLUDE} ${EIGEN} ${CMAKE_CURRENT_LIST_DIR}/strict/program.cpp
         -o ${FOLDER}/program)
 run(${CMAKE_COMMAND} -E chdir ${FOLDER} ./program)

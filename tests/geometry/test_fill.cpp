@@ -52,8 +52,6 @@ TEST_CASE("A metre at a decimetre is ten points a side, wherever it lies") {
         CHECK(lowest(points).isApprox(Point<3>::Constant(offset + 0.05), 1e-12));
         CHECK(highest(points).isApprox(Point<3>::Constant(offset + 0.95), 1e-12));
         CHECK(fill(cube<2>(offset, 1.0), 0.1).size() == 100);
-        CHECK(fill_nodes(cube<3>(offset, 1.0), 0.1).size() == 1331);
-        CHECK(fill_nodes(cube<2>(offset, 1.0), 0.1).size() == 121);
     }
 }
 
@@ -62,7 +60,6 @@ TEST_CASE("Many sides and spacings give the whole number asked for") {
         for (const double spacing : {0.1, 0.3, 0.7, 1e-3, 8e-4, 1.0 / 3.0}) {
             const Box<2> strip{{0.1, -0.3}, {0.1 + n * spacing, -0.3 + spacing}};
             REQUIRE(fill(strip, spacing).size() == static_cast<std::size_t>(n));
-            REQUIRE(fill_nodes(strip, spacing).size() == static_cast<std::size_t>(2 * (n + 1)));
         }
 }
 
@@ -83,7 +80,6 @@ TEST_CASE("A side that is no whole number of spacings keeps the cells whose cent
     CHECK(fill(Box<2>{{0, 0}, {1.04, 1}}, 0.1).size() == 100);
     CHECK(fill(Box<2>{{0, 0}, {1.06, 1}}, 0.1).size() == 110);
     CHECK(fill(Box<2>{{0, 0}, {1.05, 1}}, 0.1).size() == 100); // the last centre lies on the upper face: not this box's
-    CHECK(fill_nodes(Box<2>{{0, 0}, {1.04, 1}}, 0.1).size() == 121);
 }
 
 TEST_CASE("Shapes that share a face share no point and miss none") {
@@ -129,15 +125,12 @@ TEST_CASE("Filled volume approaches the shape's volume") {
     CHECK(static_cast<double>(fill(turned, 0.01).size()) * 1e-4 == Approx(1).epsilon(0.01));
 }
 
-TEST_CASE("Nodes lie on faces, also of turned and cut shapes") {
-    const auto box = fill_nodes(Box<3>{{0, 0, 0}, {35e-3, 35e-3, 4e-3}}, 5e-4);
-    CHECK(box.size() == 71 * 71 * 9);
-    CHECK(lowest(box) == Point<3>(0, 0, 0));
-    CHECK(highest(box).isApprox(Point<3>(35e-3, 35e-3, 4e-3), 1e-12));
-    // A square on its corner: the nodes on its four edges count (|x| + |y| <= 5: 61 of them).
-    const double half = 5 / std::sqrt(2.0);
-    const auto diamond = rotated(Box<2>{{-half, -half}, {half, half}}, std::numbers::pi / 4);
-    CHECK(fill_nodes(diamond, 1.0, Point<2>{0, 0}).size() == 61);
+TEST_CASE("The particles of a box stand for its volume, and none lies on a face") {
+    const Box<3> box{{0, 0, 0}, {35e-3, 35e-3, 4e-3}};
+    const auto points = fill(box, 5e-4);
+    CHECK(static_cast<double>(points.size()) * std::pow(5e-4, 3) == Approx(box.volume()).epsilon(1e-12));
+    CHECK(lowest(points).isApprox(Point<3>::Constant(2.5e-4), 1e-12));
+    CHECK(highest(points).isApprox(Point<3>(35e-3, 35e-3, 4e-3) - Point<3>::Constant(2.5e-4), 1e-12));
 }
 
 TEST_CASE("Filling refuses what cannot be filled") {
@@ -151,7 +144,7 @@ TEST_CASE("Filling refuses what cannot be filled") {
     CHECK_THROWS_WITH(fill(box, 0.1, Point<3>{not_a_number, 0, 0}), contains("anchor"));
     CHECK_THROWS_WITH(fill(HalfSpace<3>{{0, 0, 0}, {0, 0, 1}}, 0.1), contains("bounds"));
     CHECK_THROWS_WITH(fill(HalfSpace<3>{{0, 0, 0}, {1, 1, 1}}, 0.1), contains("bounds"));
-    CHECK_THROWS_WITH(fill_nodes(box - Box<3>{{-1, -1, -1}, {2, 2, 2}}, 0.1), contains("no lattice point"));
+    CHECK_THROWS_WITH(fill(box - Box<3>{{-1, -1, -1}, {2, 2, 2}}, 0.1), contains("no lattice point"));
     CHECK_THROWS_WITH(fill(Box<2>{{1e12, 0}, {1e12 + 100, 100}}, 10.0), contains("too fine"));
 }
 

@@ -17,8 +17,8 @@ struct Rated : sph::Solid<sph::LinearState, sph::Continuity<K>, sph::VelocityGra
 using monitor_test::Block, monitor_test::BlockScene, monitor_test::Dust, monitor_test::DustScene;
 
 /// What a total-Lagrangian block has stored in the displacement gradient e, J.
-template <int dim, class Law>
-double elastic_energy_in(const Eigen::Matrix<double, dim, dim>& e) {
+template <int dim, class Law, class Energy>
+double energy_in(const Eigen::Matrix<double, dim, dim>& e, const Energy& energy) {
     const double dx = 0.1, rho = 950, c = 30, G = 2e5;
     const auto points = sph::fill(sph::Box<dim>(sph::Point<dim>::Zero(), sph::Point<dim>::Constant(0.4)), dx);
     BlockScene<dim, Law> scene({.support_radius = 2 * dx});
@@ -27,7 +27,15 @@ double elastic_energy_in(const Eigen::Matrix<double, dim, dim>& e) {
     for (int row = 0; row < dim; ++row)
         for (int column = 0; column < dim; ++column)
             F.col(row * dim + column).setConstant((row == column ? 1 : 0) + e(row, column));
-    return sph::elastic_energy<dim>(scene[block]);
+    return energy(scene[block]);
+}
+template <int dim, class Law>
+double elastic_energy_in(const Eigen::Matrix<double, dim, dim>& e) {
+    return energy_in<dim, Law>(e, [](const auto& block) { return sph::elastic_energy<dim>(block); });
+}
+template <class Law>
+double stored_energy_in(const Eigen::Matrix3d& e) {
+    return energy_in<3, Law>(e, [](const auto& block) { return sph::stored_energy(block); });
 }
 
 /// The compression and the shear energy of a block with a stress rate in the strain e, and what it has by St. Venant
@@ -81,8 +89,14 @@ TEST_CASE("A total-Lagrangian solid stores what its own law says", "[energy]") {
     const double E = (stretch * stretch - 1) / 2, log = std::log(stretch);
     CHECK(elastic_energy_in<3, sph::StVenantKirchhoff>(squeezed) ==
           Approx(volume * (lambda / 2 + mu) * E * E).epsilon(1e-12));
-    CHECK(elastic_energy_in<3, sph::NeoHookean>(squeezed) ==
+    CHECK(elastic_energy_in<3, sph::CompressibleNeoHookean>(squeezed) ==
           Approx(volume * (lambda / 4 * (2 * E - 2 * log) + mu / 2 * (2 * E - 2 * log))).epsilon(1e-12));
+    const double isochoric = volume * (mu / 2 * (std::pow(stretch, -2.0 / 3) * (2 + stretch * stretch) - 3) +
+                                       950.0 * 30 * 30 / 4 * (2 * E - 2 * log));
+    CHECK(elastic_energy_in<3, sph::IsochoricNeoHookean>(squeezed) == Approx(isochoric).epsilon(1e-12));
+    CHECK(stored_energy_in<sph::IsochoricNeoHookean>(squeezed) == Approx(isochoric).epsilon(1e-12));
+    // where the volume is the same all around, the mean of it is as well
+    CHECK(stored_energy_in<sph::VolumetricDeviatoric<>>(squeezed) == Approx(isochoric).epsilon(1e-12));
 }
 
 TEST_CASE("The potential energy of a body is its weight times its height, whichever way gravity points", "[energy]") {
@@ -98,8 +112,8 @@ TEST_CASE("The potential energy of a body is its weight times its height, whiche
 
 TEST_CASE("What is added during a run stores nothing until it is deformed", "[energy]") {
     const double dx = 0.1;
-    const Block<sph::NeoHookean> rubber{{.density = 950, .sound_speed = 30, .shear_modulus = 2e5}};
-    BlockScene<2, sph::NeoHookean> scene({.support_radius = 2 * dx, .time_step = 1e-4});
+    const Block<sph::CompressibleNeoHookean> rubber{{.density = 950, .sound_speed = 30, .shear_modulus = 2e5}};
+    BlockScene<2, sph::CompressibleNeoHookean> scene({.support_radius = 2 * dx, .time_step = 1e-4});
     const auto block = scene.add(rubber, sph::fill(sph::Box<2>({0, 0}, {1, 1}), dx), dx);
     CHECK(sph::elastic_energy<2>(scene[block]) == 0);
     scene.step();

@@ -86,7 +86,7 @@ struct Tailwind {
     constexpr auto operator()(const auto& a) const { return 2.0 * a[sph::velocity]; }
 };
 struct Leaf : sph::Fluid<Tailwind> {};
-struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::CompressibleNeoHookean,
                           sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped> {};
 struct Gale : sph::Solid<Tailwind, sph::Clamped> {};
 

@@ -56,7 +56,7 @@ auto hot_gas(bool periodic, int interval) {
     return scene;
 }
 
-struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::CompressibleNeoHookean,
                            sph::TotalLagrangianForce<K>, sph::TimeAveragedMotion> {};
 struct Push : sph::Coupling<Gas, Rubber, sph::Into<Rubber, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                             sph::Into<Gas, sph::VolumeContinuity<K>>> {};

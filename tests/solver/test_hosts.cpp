@@ -40,9 +40,9 @@ constexpr double dx = 0.05, nan = std::numeric_limits<double>::quiet_NaN();
 struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
 struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>> {};
 struct Tank : sph::Wall<> {};
-struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::CompressibleNeoHookean,
                            sph::TotalLagrangianForce<K>> {};
-struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+struct Strap : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::CompressibleNeoHookean,
                           sph::TotalLagrangianForce<K>, sph::Clamped> {};
 /// Water that remembers where it came in, and has no neighbours by that.
 struct Marked : sph::Fluid<sph::Displacement> {};

@@ -109,7 +109,7 @@ TEST_CASE("The rounds of the sound sponge", "[schedule]") {
     between(std::type_identity<Sponge>{});
     between(std::type_identity<Vessel>{});
     CHECK(place<Scene, VolumePressure<K>::Push, Sponge>() == place<Scene, TotalLagrangianForce<K>::Push, Sponge>());
-    CHECK(place<Scene, DeformationGradient<K>::Sum, Sponge>() < place<Scene, NeoHookean, Sponge>());
+    CHECK(place<Scene, DeformationGradient<K>::Sum, Sponge>() < place<Scene, CompressibleNeoHookean, Sponge>());
     // The sponge's density stays that of the stress-free solid; nothing of the paper's sponge is stored.
     CHECK_FALSE(detail::contains<Rate<Density>, Scene::FieldsOf<Sponge>>);
     CHECK_FALSE(detail::contains<DeviatoricStress, Scene::FieldsOf<Sponge>>);

@@ -264,6 +264,36 @@ TEST_CASE("Views look at the particles themselves", "[scene]") {
     CHECK(reinterpret_cast<std::uintptr_t>(scene[handle][sph::position].data()) % 64 == 0);
 }
 
+TEST_CASE("A view of a phase is assigned, a view of a field copies numbers", "[scene]") {
+    DropScene scene({.support_radius = 0.21}), other({.support_radius = 0.21});
+    const auto handle = scene.add(drop, ball(0.1, 0.35), 0.1);
+    const auto other_handle = other.add(drop, ball(0.1, 0.25), 0.1);
+    auto view = scene[handle];
+    scene.step(1e-3);
+    view = scene[handle];
+    CHECK(view[sph::velocity].data() == scene[handle][sph::velocity].data());
+    const auto& same = view;
+    view = same;
+    CHECK(&view.state == &scene.engine().state<Drop>());
+    view = other[other_handle];
+    CHECK(&view.state == &other.engine().state<Drop>());
+    CHECK(view.size() == static_cast<int>(ball(0.1, 0.25).size()));
+    CHECK(&view.material() == &other[other_handle].material());
+    const DropScene& looking = scene;
+    auto seen = looking[handle];
+    seen = looking.get<Drop>();
+    CHECK(seen.size() == scene[handle].size());
+
+    auto velocities = scene[handle][sph::velocity];
+    const auto* const memory = velocities.data();
+    velocities.setConstant(2);
+    auto places = scene[handle][sph::position];
+    velocities = places;
+    CHECK(velocities.data() == memory);
+    CHECK(memory != places.data());
+    CHECK(scene[handle][sph::velocity].isApprox(scene[handle][sph::position], 0));
+}
+
 TEST_CASE("A term with a field of its own: heat spreads as it should", "[scene]") {
     // A periodic bar with a cosine of temperature: its amplitude falls as exp(-kappa k^2 t).
     const int m = 40;
@@ -529,7 +559,8 @@ TEST_CASE("Odd but legal numbers are warned of", "[scene]") {
     }
     SECTION("a solid that is less compressible than its law bears") {
         struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>,
-                                   sph::FiniteStrainLimit<sph::NeoHookean>, sph::TotalLagrangianForce<K>> {};
+                                   sph::FiniteStrainLimit<sph::CompressibleNeoHookean>, sph::TotalLagrangianForce<K>> {
+        };
         struct Averaged : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>,
                                      sph::VolumetricDeviatoric<>, sph::TotalLagrangianForce<K>> {};
         const auto warnings = [&]<class P>(std::type_identity<P>, double nu) {

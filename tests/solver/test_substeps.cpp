@@ -19,7 +19,7 @@ struct Meet : sph::Coupling<Water, Steel, sph::VolumeContinuity<K>, sph::VolumeP
 struct Oil : sph::Fluid<sph::LinearState, sph::SummationDensity<K>, sph::VolumePressure<K>, sph::TimeAveragedMotion> {};
 struct MeetOil : sph::Coupling<Water, Oil, sph::Into<Oil, sph::SummationNeighbours<K>>,
                                sph::Into<Water, sph::VolumeContinuity<K>>, sph::VolumePressure<K>> {};
-struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::NeoHookean,
+struct Rubber : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::CompressibleNeoHookean,
                            sph::TotalLagrangianForce<K>, sph::KernelRepulsion<sph::Spiky>, sph::TimeAveragedMotion> {};
 
 /// Water falls on a solid whose density follows both: the greatest density of the solid, after a few steps, kg/m^3.

@@ -21,6 +21,7 @@
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
+#include <imbibe/solid/corrected_gradients.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/solid/stress_force.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
@@ -79,6 +80,7 @@ using EveryPairPart = TypeList<
     Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>,
     Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>, Case<CorrectedContinuity<>::Sweep, Water, Water, false>,
     Case<CorrectedPressure<>::Push, Water, Water, true>, Case<CorrectedViscosity<>, Water, Water, true>,
+    Case<CorrectedVelocityGradient<>, Sponge, Sponge, false>, Case<CorrectedStressForce<>::Push, Sponge, Sponge, true>,
     Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<TransportAdvection<>, Water, Water, false>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
@@ -118,7 +120,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(wall_direction, dice.vector<dim>(1e3)).set(density_gradient, dice.vector<dim>(1e4));
     p.set(pressure_over_impedance, p[pressure] / detail::impedance(p.material)).set(surface_indicator, dice(0, 1));
     p.set(surface_normal, dice.vector<dim>(0.5));
-    p.set(gradient_correction, symmetric_part(t));
+    p.set(gradient_correction, symmetric_part(t)).set(corrected_stress, t);
     p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
     p.set(transport_correction, dice.vector<dim>(0.1));
     return p;

@@ -109,10 +109,12 @@ void check_part() {
     seen.check(static_cast<double>(std::numeric_limits<Real>::epsilon()));
 }
 
-using InPacks = TypeList<LinearState, Tait<7>, Volume, SymmetricPressure<Spiky>::Prepare, StressForce<Spiky>::Prepare,
-                         JaumannStress, HughesWingetStress<>, ParticleShifting<>::Detect, ParticleShifting<>::Shift,
-                         AntuonoDiffusion<>::Correct, Displacement, DeformationGradient<>::Correct, StVenantKirchhoff,
-                         NeoHookean, CauchyStress, TotalLagrangianForce<>::Prepare, Xsph<Poly6>::Smooth, XsphTransport>;
+using InPacks =
+    TypeList<LinearState, Tait<7>, Volume, SymmetricPressure<Spiky>::Prepare, StressForce<Spiky>::Prepare,
+             CorrectedStressForce<>::Prepare, JaumannStress, HughesWingetStress<>, ParticleShifting<>::Detect,
+             ParticleShifting<>::Shift, AntuonoDiffusion<>::Correct, Displacement, DeformationGradient<>::Correct,
+             StVenantKirchhoff, CompressibleNeoHookean, IsochoricNeoHookean, CauchyStress,
+             TotalLagrangianForce<>::Prepare, Xsph<Poly6>::Smooth, XsphTransport>;
 
 /// Gives a particle some number for every field of Part's that it has none for.
 template <int dim, class P, class... F>

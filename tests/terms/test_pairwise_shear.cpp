@@ -124,7 +124,7 @@ void check_alternating() {
         u[0] = 1e-6 * sign(X);
         return u;
     });
-    prepare(NeoHookean{}, first_piola_stress, body);
+    prepare(CompressibleNeoHookean{}, first_piola_stress, body);
     prepare(TotalLagrangianForce<>::Prepare{}, corrected_piola_stress, body);
     const auto& centre = body[body.size() / 2];
     const double s = sign(plain(centre[reference_position]));

@@ -37,7 +37,8 @@ void check_sides() {
     CHECK(sides<DeformationGradient<>::Sum, dim, Sponge>() == "displacement | mass displacement");
     CHECK(sides<DeformationGradient<>::Correct, dim, Sponge>() == "raw_displacement_gradient gradient_correction |");
     CHECK(sides<StVenantKirchhoff, dim, Sponge>() == "deformation_gradient |");
-    CHECK(sides<NeoHookean, dim, Sponge>() == "deformation_gradient |");
+    CHECK(sides<CompressibleNeoHookean, dim, Sponge>() == "deformation_gradient |");
+    CHECK(sides<IsochoricNeoHookean, dim, Sponge>() == "deformation_gradient |");
     CHECK(sides<CauchyStress, dim, Sponge>() == "deformation_gradient first_piola_stress |");
     CHECK(sides<TotalLagrangianForce<>::Prepare, dim, Sponge>() == "first_piola_stress gradient_correction |");
     CHECK(sides<TotalLagrangianForce<>::Push, dim, Sponge>() == "corrected_piola_stress | mass corrected_piola_stress");

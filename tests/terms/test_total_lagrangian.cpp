@@ -364,28 +364,35 @@ TEST_CASE("patch test: an affine motion of jittered particles gives its own grad
 TEST_CASE("a rotation gives no stress and no force") {
     check_rotation<2, StVenantKirchhoff>();
     check_rotation<3, StVenantKirchhoff>();
-    check_rotation<2, NeoHookean>();
-    check_rotation<3, NeoHookean>();
+    check_rotation<2, CompressibleNeoHookean>();
+    check_rotation<3, CompressibleNeoHookean>();
+    check_rotation<2, IsochoricNeoHookean>();
+    check_rotation<3, IsochoricNeoHookean>();
 }
 
 TEST_CASE("TotalLagrangianForce conserves linear momentum to the last bit and angular momentum to round-off") {
     check_momentum<2, StVenantKirchhoff>();
     check_momentum<3, StVenantKirchhoff>();
-    check_momentum<3, NeoHookean>();
+    check_momentum<3, CompressibleNeoHookean>();
+    check_momentum<3, IsochoricNeoHookean>();
 }
 
 TEST_CASE("TotalLagrangianForce is minus the derivative of the elastic energy") {
     check_energy<2, StVenantKirchhoff>();
     check_energy<3, StVenantKirchhoff>();
-    check_energy<2, NeoHookean>();
-    check_energy<3, NeoHookean>();
+    check_energy<2, CompressibleNeoHookean>();
+    check_energy<3, CompressibleNeoHookean>();
+    check_energy<2, IsochoricNeoHookean>();
+    check_energy<3, IsochoricNeoHookean>();
 }
 
 TEST_CASE("the laws are derivatives of their energies") {
     check_law_is_derivative_of_energy<2, StVenantKirchhoff>();
     check_law_is_derivative_of_energy<3, StVenantKirchhoff>();
-    check_law_is_derivative_of_energy<2, NeoHookean>();
-    check_law_is_derivative_of_energy<3, NeoHookean>();
+    check_law_is_derivative_of_energy<2, CompressibleNeoHookean>();
+    check_law_is_derivative_of_energy<3, CompressibleNeoHookean>();
+    check_law_is_derivative_of_energy<2, IsochoricNeoHookean>();
+    check_law_is_derivative_of_energy<3, IsochoricNeoHookean>();
 }
 
 TEST_CASE("the true stress of a sheared and turned solid is P F^T/J") {
@@ -395,7 +402,7 @@ TEST_CASE("the true stress of a sheared and turned solid is P F^T/J") {
     F(1, 0) = -0.1;
     F(2, 2) = 1.2;
     p.set(deformation_gradient, tensor<3>(F));
-    const Matrix<3> P = plain(NeoHookean{}(p));
+    const Matrix<3> P = plain(CompressibleNeoHookean{}(p));
     p.set(first_piola_stress, tensor<3>(P));
     const Matrix<3> expected = P * F.transpose() / F.determinant();
     CHECK((plain(CauchyStress{}(p)) - expected).norm() < 1e-12 * expected.norm());
@@ -422,36 +429,14 @@ TEST_CASE("StVenantKirchhoff under uniaxial stretch, in closed form, and its tru
     }
 }
 
-TEST_CASE("NeoHookean is Hooke's law for small strains, and pushes back when turned inside out") {
-    auto body = block<2>(foam(), 1, 0);
-    auto& p = body.front();
+TEST_CASE("StVenantKirchhoff is Hooke's law for small strains") {
+    auto p = block<2>(foam(), 1, 0).front();
     Matrix<2> slope;
     slope << 1e-7, 2e-7, -3e-7, 4e-7;
     p.set(deformation_gradient, tensor<2>(Matrix<2>::Identity() + slope));
     const Matrix<2> strain = 0.5 * (slope + slope.transpose());
     const Matrix<2> hooke = lambda() * strain.trace() * Matrix<2>::Identity() + 2 * 2.7e4 * strain;
-    CHECK(relative_error(plain(NeoHookean{}(p)), hooke) < 1e-5);
     CHECK(relative_error(plain(StVenantKirchhoff{}(p)), hooke) < 1e-5);
-    Matrix<2> inverted = Matrix<2>::Identity();
-    inverted(0, 0) = -0.1;
-    p.set(deformation_gradient, tensor<2>(inverted));
-    CHECK(plain(NeoHookean{}(p))(0, 0) < -1e6);
-}
-
-TEST_CASE("NeoHookean in simple shear has a shear stress of the modulus times the shear, however far") {
-    auto body = block<2>(foam(), 1, 0);
-    auto& p = body.front();
-    for (const double shear : {0.1, 0.5, 1.0, 1.57, 3.0}) {
-        Matrix<2> F = Matrix<2>::Identity();
-        F(0, 1) = shear;
-        p.set(deformation_gradient, tensor<2>(F));
-        p.set(first_piola_stress, tensor<2>(plain(NeoHookean{}(p))));
-        const Matrix<2> sigma = plain(CauchyStress{}(p));
-        CAPTURE(shear);
-        CHECK(sigma(0, 1) == Approx(2.7e4 * shear).epsilon(1e-12));
-        CHECK(sigma(0, 0) == Approx(2.7e4 * shear * shear).epsilon(1e-12)); // it also pulls along (Poynting)
-        CHECK(std::abs(sigma(1, 1)) < 1e-9);
-    }
 }
 
 TEST_CASE("ReferenceCorrection: full at corners and struts, gives way for sheets and single particles") {
@@ -573,7 +558,8 @@ TEST_CASE("limits of the solid: the elastic wave, and nothing where nothing acts
     const double c = std::sqrt((950 * 100 + 4 * 2.7e4 / 3) / 950);
     const double small = 1 - 0.11 * (lambda() / (lambda() + 2 * 2.7e4) - 0.5); // it is stiffer in volume than in shape
     CHECK(StVenantKirchhoff::time_step_limit(s, in) == Approx(small * 1e-3 / (c + 2)));
-    CHECK(NeoHookean::time_step_limit(s, in) == Approx(small * 1e-3 / (c + 2)));
+    CHECK(CompressibleNeoHookean::time_step_limit(s, in) == Approx(small * 1e-3 / (c + 2)));
+    CHECK(IsochoricNeoHookean::time_step_limit(s, in) == Approx(small * 1e-3 / (c + 2)));
     CHECK(std::isinf(HourglassControl<>::time_step_limit(s, in, {.alpha = 0})));
     CHECK(std::isinf(TotalLagrangianViscosity<>::time_step_limit(s, in, {.alpha = 0})));
     CHECK(TotalLagrangianViscosity<>::time_step_limit(s, in, {}) ==

@@ -222,18 +222,43 @@ IMBIBE_INLINE constexpr T sq(T x) {
     return x * x;
 }
 
-/// x to any real power, lane by lane through std::pow: slow, for particle functions only.
+/// x to the power of `exponent`, lane by lane as std::pow has it (0, negative numbers, infinities and NaN too): slow, for
+/// particle functions only. A plain number is the exponent of every lane: `pow(J, -2.0 / 3)`, `pow(J, T(-2.0 / 3))`.
 template <class Real, int width>
-IMBIBE_INLINE constexpr Pack<Real, width> pow(Pack<Real, width> x, double exponent) {
-    return detail::lane_by_lane(x, [exponent](Real y) {
-        return std::is_constant_evaluated() ? y : static_cast<Real>(std::pow(y, static_cast<Real>(exponent)));
-    });
+IMBIBE_INLINE constexpr Pack<Real, width> pow(Pack<Real, width> x, std::type_identity_t<Pack<Real, width>> exponent) {
+    Pack<Real, width> result = x; // in constant evaluation too, where the value is irrelevant (dry runs of terms)
+    if (!std::is_constant_evaluated()) {
+        if constexpr (width == 1)
+            result.lanes = std::pow(x.lanes, exponent.lanes);
+        else
+            for (int k = 0; k < width; ++k)
+                result.lanes[k] = std::pow(x.lanes[k], exponent.lanes[k]);
+    }
+    return result;
+}
+/// The same with one base for all lanes: `pow(2, x)`.
+template <class A, class Real, int width>
+    requires std::is_arithmetic_v<A>
+IMBIBE_INLINE constexpr Pack<Real, width> pow(A x, Pack<Real, width> exponent) {
+    return pow(Pack<Real, width>(x), exponent);
+}
+/// The same for plain numbers.
+template <class A>
+    requires std::is_floating_point_v<A>
+IMBIBE_INLINE constexpr A pow(A x, std::type_identity_t<A> exponent) {
+    return std::is_constant_evaluated() ? x : std::pow(x, exponent);
 }
 
-/// The exponential, lane by lane through std::exp: slow, for particle functions only.
+/// The exponential, lane by lane as std::exp has it: slow, for particle functions only.
 template <class Real, int width>
 IMBIBE_INLINE constexpr Pack<Real, width> exp(Pack<Real, width> x) {
     return detail::lane_by_lane(x, [](Real y) { return std::is_constant_evaluated() ? y : std::exp(y); });
+}
+/// The same for plain numbers.
+template <class A>
+    requires std::is_floating_point_v<A>
+IMBIBE_INLINE constexpr A exp(A x) {
+    return std::is_constant_evaluated() ? x : std::exp(x);
 }
 
 namespace detail {

@@ -45,8 +45,9 @@ struct CorrectionNeighbours {
 /// L_a times the gradient sum_b V_b (f_b - f_a) grad_a W_ab is then exact for a field f that is linear, also at a free
 /// surface and beside a wall that does not count.
 ///
-/// For fluids, in every step, beside terms that correct a gradient: AntuonoDiffusion, CorrectedContinuity,
-/// CorrectedPressure, CorrectedViscosity. Where a particle has not neighbours in all directions (single drops, threads)
+/// In every step, beside terms that correct a gradient: in a fluid AntuonoDiffusion, CorrectedContinuity,
+/// CorrectedPressure, CorrectedViscosity, in a solid with a stress rate CorrectedContinuity, CorrectedVelocityGradient,
+/// CorrectedStressForce. Where a particle has not neighbours in all directions (single drops, threads)
 /// M cannot be inverted, and L goes over to the identity. In a coupling, CorrectionNeighbours.
 ///
 /// Not for a total-Lagrangian solid: that takes ReferenceCorrection, which is computed once.

@@ -1,4 +1,4 @@
-// Fills shapes with particles on a square or cubic lattice: at the centres of cells, or at the nodes.
+// Fills shapes with particles on a square or cubic lattice, at the centres of its cells.
 #pragma once
 
 #include <imbibe/geometry/shape.hpp>
@@ -71,6 +71,10 @@ std::vector<Point<dim>> lattice_points(const char* who, const Box<dim>& bounds, 
 /// Particle positions (m) at the centres of the cells of a lattice: anchor + (i + 1/2) spacing, all of them that lie
 /// in the shape. Each stands for a volume spacing^dim. x runs fastest, the last coordinate slowest.
 ///
+/// Particles lie half a spacing inside a face, not on it: there they would stand for half a cell, and as `Solver::add`
+/// gives each the mass density spacing^dim, a body of n spacings a side would have (n + 1)/n of its mass each way. Where
+/// the outermost particles are to lie in a plane, fill a body that reaches half a spacing beyond it.
+///
 /// Two shapes that share a face and a lattice (same spacing, anchors a whole number of spacings apart) never both get
 /// a point, and never both miss it: a point on a face goes to the shape on the side of larger coordinates, also where
 /// round-off puts it a little off the face. So a box is filled as [lower, upper), and `a - b` with `a & b` is `a`.
@@ -95,37 +99,6 @@ template <AnyShape S>
 template <AnyShape S>
 [[nodiscard]] std::vector<Point<shape_dimension<S>>> fill(const S& shape, double spacing) {
     return fill(shape, spacing, shape.bounds().lower());
-}
-
-/// Particle positions (m) at the nodes of a lattice: anchor + i spacing, all of them that lie in the shape or within
-/// 1e-6 spacings of its surface. So a box gets points on all its faces, n + 1 along a side of n spacings, and a pore
-/// keeps the points on its wall. Shapes that share a face both get the points on it.
-///
-/// Throws Error as fill() does.
-template <AnyShape S>
-[[nodiscard]] std::vector<Point<shape_dimension<S>>> fill_nodes(const S& shape, double spacing,
-                                                                const Point<shape_dimension<S>>& anchor) {
-    constexpr int dim = shape_dimension<S>;
-    const double reach = detail::on_the_face * spacing;
-    const auto inside = [&](const Point<dim>& point) {
-        if (shape.contains(point))
-            return true;
-        for (unsigned corner = 0; corner < (1u << dim); ++corner) {
-            Point<dim> beside = point;
-            for (int axis = 0; axis < dim; ++axis)
-                beside[axis] += corner >> axis & 1u ? reach : -reach;
-            if (shape.contains(beside))
-                return true;
-        }
-        return false;
-    };
-    return detail::lattice_points<dim>("fill_nodes", shape.bounds(), spacing, anchor, 0.0, inside);
-}
-
-/// The same with a node in the lower corner of the shape's bounds.
-template <AnyShape S>
-[[nodiscard]] std::vector<Point<shape_dimension<S>>> fill_nodes(const S& shape, double spacing) {
-    return fill_nodes(shape, spacing, shape.bounds().lower());
 }
 
 } // namespace imbibe

@@ -8,7 +8,7 @@
 namespace imbibe {
 
 // Advice, printed as a template argument.
-struct list_a_law_with_stored_energy_such_as_NeoHookean;
+struct list_a_law_with_stored_energy_such_as_CompressibleNeoHookean;
 
 namespace rules {
 /// Rule: the elastic energy is that of a phase with a law that says what a deformation stores.
@@ -124,23 +124,25 @@ double shear_energy(const View& phase) {
 }
 
 /// sum_a V_a psi(F_a), J: what a total-Lagrangian solid stores, with the energy density psi of its law
-/// (StVenantKirchhoff::stored_energy, NeoHookean::stored_energy); nothing for particles that are not deformed yet,
-/// before their first step. Without hourglass control. Does not compile for a phase whose terms have none, as those of
-/// VolumetricDeviatoric, whose energy is not that of single particles.
+/// (StVenantKirchhoff::stored_energy, CompressibleNeoHookean::stored_energy, IsochoricNeoHookean::stored_energy);
+/// nothing for particles that are not deformed yet, before their first step. Without hourglass control. Does not
+/// compile for a phase whose terms have none, as those of VolumetricDeviatoric, whose energy is not that of single
+/// particles.
 template <int dim, class View>
 double elastic_energy(const View& phase) {
     using Solid = std::remove_cvref_t<decltype(phase.material())>;
     if constexpr (!detail::has_stored_energy<dim, Solid, typename Solid::terms>)
-        detail::break_rule<rules::NoStoredEnergy<Solid, list_a_law_with_stored_energy_such_as_NeoHookean>>();
+        detail::break_rule<
+            rules::NoStoredEnergy<Solid, list_a_law_with_stored_energy_such_as_CompressibleNeoHookean>>();
     return detail::sum_over_deformations<dim>(phase, [&](const Tensor<double, dim>& F) {
         return detail::stored_energy<dim>(phase.material(), F, typename Solid::terms{});
     });
 }
 
-/// What a phase stores, J, as far as that is known: a total-Lagrangian solid its `elastic_energy`, by NeoHookean's law
-/// where its own says none; any other phase with a density its `compression_energy`, and with a stress rate its
-/// `shear_energy`. Without hourglass control and what repulsions store; by `compression_energy` also where the equation
-/// of state is not linear.
+/// What a phase stores, J, as far as that is known: a total-Lagrangian solid its `elastic_energy`, by
+/// IsochoricNeoHookean's law where its own says none, as those of VolumetricDeviatoric and PairwiseShearForce; any
+/// other phase with a density its `compression_energy`, and with a stress rate its `shear_energy`. Without hourglass
+/// control and what repulsions store; by `compression_energy` also where the equation of state is not linear.
 template <class View>
 double stored_energy(const View& phase) {
     using State = std::remove_cvref_t<decltype(phase.state)>;
@@ -149,11 +151,11 @@ double stored_energy(const View& phase) {
     if constexpr (State::template stores<DeformationGradientField>) {
         if constexpr (detail::has_stored_energy<dim, Phase, typename Phase::terms>)
             return elastic_energy<dim>(phase);
-        else if constexpr (!detail::suits<Phase, NeoHookean>)
+        else if constexpr (!detail::suits<Phase, IsochoricNeoHookean>)
             return 0; // of a phase whose terms are an error of its own
         else
             return detail::sum_over_deformations<dim>(phase, [&](const Tensor<double, dim>& F) {
-                return NeoHookean::stored_energy<dim>(phase.material(), F);
+                return IsochoricNeoHookean::stored_energy<dim>(phase.material(), F);
             });
     } else {
         double energy = 0;

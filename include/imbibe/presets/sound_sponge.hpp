@@ -15,8 +15,8 @@ namespace imbibe::presets {
 /// as much. Its Young's modulus is made up for its few layers (bending_modulus).
 struct SoundSponge : SoundWater {
     static constexpr const char* name = "sound";
-    struct Sponge : Solid<ReferenceCorrection<K>, DeformationGradient<K>, NeoHookean, TotalLagrangianForce<K>,
-                          HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
+    struct Sponge : Solid<ReferenceCorrection<K>, DeformationGradient<K>, CompressibleNeoHookean,
+                          TotalLagrangianForce<K>, HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
     /// To be given its coefficients by set_coefficients(), as Water and Sides.
     struct Contact : Coupling<Water, Sponge, Into<Sponge, PressureExtrapolation<K>>, VolumePressure<K>,
                               Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};
@@ -28,9 +28,10 @@ struct SoundSponge : SoundWater {
     /// Throws Error for a number of the case that is out of range, a Poisson's ratio above that of its law included.
     static void check(const SpongeCase& c) {
         c.check();
-        require(c.poisson_ratio <= NeoHookean::greatest_poisson_ratio, "Poisson's ratio = ", c.poisson_ratio,
-                "; it must be above -1 and at most ", NeoHookean::greatest_poisson_ratio, ", above which the mean ",
-                "stress of NeoHookean alternates from particle to particle; a scene of your own with ",
+        require(c.poisson_ratio <= CompressibleNeoHookean::greatest_poisson_ratio,
+                "Poisson's ratio = ", c.poisson_ratio, "; it must be above -1 and at most ",
+                CompressibleNeoHookean::greatest_poisson_ratio, ", above which the mean ",
+                "stress of CompressibleNeoHookean alternates from particle to particle; a scene of your own with ",
                 "VolumetricDeviatoric in its place goes to 0.499");
     }
     /// The sponge with the numbers of the case.

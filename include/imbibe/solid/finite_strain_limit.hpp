@@ -15,20 +15,21 @@ struct WaveStiffening : Field<Rank::scalar> {
 };
 inline constexpr WaveStiffening wave_stiffening{};
 
-/// A hyperelastic law with the limit on the step of its stiffness at the present strain, `FiniteStrainLimit<NeoHookean>`
-/// in place of `NeoHookean`: the law's own limit with the speed of waves c = c_0 sqrt(s), s the greatest
-/// `Law::wave_stiffening` of the last step in the phase, at least 1 (and 1 before the first step).
+/// A hyperelastic law with the limit on the step of its stiffness at the present strain,
+/// `FiniteStrainLimit<CompressibleNeoHookean>` in place of `CompressibleNeoHookean`: the law's own limit with the speed
+/// of waves c = c_0 sqrt(s), s the greatest `Law::wave_stiffening` of the last step in the phase, at least 1 (and 1
+/// before the first step).
 ///
 /// For bodies that are held, or rest, at great strains: squeezed to a half and less, or stretched to the double. A
-/// neo-Hookean block with held edges bears 1.9 times the limit of NeoHookean undeformed, 0.91 times squeezed to 0.35 of
-/// its length both ways, 0.66 times squeezed to 0.25, and 1.9 times this limit at any of these strains
-/// (tests/terms/test_finite_strain_limit.cpp).
+/// neo-Hookean block with held edges bears 1.9 times the limit of CompressibleNeoHookean undeformed, 0.91 times
+/// squeezed to 0.35 of its length both ways, 0.66 times squeezed to 0.25, and 1.9 times this limit at any of these
+/// strains (tests/terms/test_finite_strain_limit.cpp).
 ///
 /// Not for small strains, where it changes nothing: it costs a number per particle and a look at all of them in each
 /// step. Not for what is thin: the limit "corrected gradients" does not know of it.
 ///
-/// @tparam Law NeoHookean, StVenantKirchhoff, VolumetricDeviatoric, or one of your own with
-/// `static T wave_stiffening(const auto& material, const Tensor<T, dim>& F)`
+/// @tparam Law CompressibleNeoHookean, IsochoricNeoHookean, StVenantKirchhoff, VolumetricDeviatoric, or one of your own
+/// with `static T wave_stiffening(const auto& material, const Tensor<T, dim>& F)`
 ///
 /// Source: waves of small amplitude in a strained solid are those of its acoustic tensor: Truesdell and Noll (1965).
 template <class Law>

@@ -24,22 +24,22 @@ constexpr double lame_lambda(const auto& material) {
 // The time a longitudinal wave takes across a particle, or less: corrected gradients are steep at free corners, the
 // more so the shorter the support r = H/spacing, and where volume is stiffer than shape a corner swings in all
 // directions at once. The factors lie below the exact limits, 2 over the highest frequency, of free cubes and squares,
-// and by `small` also of those only three or four particles thick, whose corners pull at each other; not where
+// and by `few_layers` also of those only three or four particles thick, whose corners pull at each other; not where
 // particles lie at random (tests/terms/test_total_lagrangian.cpp). The greatest speed is in the limit because a speed
 // near that of sound means strains near one, at which the laws stiffen. A body that is held at such strains and hardly
 // moves is stiffer than this knows, but for `stiffening`, the square of the fastest wave's speed there over that of the
 // stress-free solid (finite_strain_limit.hpp).
 // `thinness` is how much more gradients are corrected where the body is thickest than inside a large one. The numbers
-// are fitted; `small` is so with the true r, for bodies that are not thin, and only makes the limit of thin ones
+// are fitted; `few_layers` is so with the true r, for bodies that are not thin, and only makes the limit of thin ones
 // shorter.
 double elastic_wave_limit(const auto& material, const TimeStepInput& in, double thinness = 1, double stiffening = 1) {
     const double lambda = lame_lambda(material), r = in.support_radius / in.spacing;
     const double bulky = std::max(lambda / (lambda + 2 * material.shear_modulus), 0.0); // nu/(1 - nu)
     const double most = (in.dimension == 3 ? std::min(r / 1.85, 1.0) : 1.0) / std::pow(thinness, 0.25);
     const double factor = std::sqrt(r / thinness / (in.dimension == 3 ? 1.2 + 1.5 * bulky : 0.9 + 1.1 * bulky));
-    const double small = std::min(std::clamp(1 - 0.35 * (2 - r), 0.9, 1.0), 1 - 0.11 * std::max(bulky - 0.5, 0.0));
+    const double few_layers = std::min(std::clamp(1 - 0.35 * (2 - r), 0.9, 1.0), 1 - 0.11 * std::max(bulky - 0.5, 0.0));
     const double wave_speed = material.longitudinal_wave_speed() * std::sqrt(stiffening);
-    return small * std::min(factor, most) * in.spacing / (wave_speed + in.max_speed);
+    return few_layers * std::min(factor, most) * in.spacing / (wave_speed + in.max_speed);
 }
 
 // The greatest sum of magnitudes in a row: no eigenvalue of a symmetric matrix is greater (Gershgorin), and one is as

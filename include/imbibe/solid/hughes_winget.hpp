@@ -30,7 +30,7 @@ struct HalfWay {
 /// turn. In two dimensions plane strain, as there.
 ///
 /// Not for Poisson's ratios near 0.5, where the mean stress alternates from particle to particle (the bound of 0.495 is
-/// that of NeoHookean).
+/// that of CompressibleNeoHookean).
 ///
 /// Not a cure for what the Jaumann rate has wrong in large shear (S_xy = G sin(shear)), nor for a velocity gradient
 /// that is too small, as that of VelocityGradient at a free surface: there the stress turns slower than the matter.

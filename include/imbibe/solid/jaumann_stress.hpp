@@ -13,7 +13,7 @@ namespace imbibe {
 /// 3, and S_zz = -(S_xx + S_yy) is not stored.
 ///
 /// Not for Poisson's ratios near 0.5, where the mean stress alternates from particle to particle (the bound of 0.495 is
-/// that of NeoHookean).
+/// that of CompressibleNeoHookean).
 ///
 /// Not for large shear: in simple shear the stress oscillates, S_xy = G sin(shear), and a closed cycle of strain leaves
 /// a stress behind. Not for long runs that must come back to their shape: errors of the rate add up in S. A

@@ -35,14 +35,14 @@ struct PairwiseShearForceParameters {
 ///
 ///     T = [K/2 (J^2 - 1) - factor G J^(-2/3) I_1/3] F^-T,   J = det F, I_1 = tr F^T F (plus 1 in 2D: plane strain).
 ///
-/// A compressible neo-Hookean solid, law and force in one: it stands in place of NeoHookean and TotalLagrangianForce.
-/// In a continuum the second part is the divergence of factor G J^(-2/3) F, the shear part of P, written as the
-/// Laplacian of the motion: it is made of the offsets of the pairs, from which no motion can hide: nothing is
-/// left for HourglassControl to hold. Undeformed, the two parts cancel pair by pair.
+/// A neo-Hookean solid, law and force in one: it stands in place of IsochoricNeoHookean, whose stress it has with G
+/// times factor, and TotalLagrangianForce. In a continuum the second part is the divergence of factor G J^(-2/3) F, the
+/// shear part of P, written as the Laplacian of the motion: it is made of the offsets of the pairs, from which no
+/// motion can hide: nothing is left for HourglassControl to hold. Undeformed, the two parts cancel pair by pair.
 ///
 /// For solids that are hit, twisted or bent hard. In a column twisted by a revolution (nu 0.499) the displacements
-/// deviated from the mean of their neighbours by 0.035 spacings, as a smooth twist does; with NeoHookean and
-/// HourglassControl by 0.18.
+/// deviated from the mean of their neighbours by 0.035 spacings, as a smooth twist does; with CompressibleNeoHookean
+/// and HourglassControl by 0.18.
 ///
 /// Not with a support below 2 spacings: nothing corrects the lattice sum of the Laplacian, and a slow shear on a square
 /// or cubic lattice meets, with the factor 1.07, 0.70 G (0.71 G) with 1.5 spacings, 1.04 G (1.05 G) with 2 and
@@ -99,7 +99,7 @@ struct PairwiseShearForce {
     using parts = Parts<Displacement, Prepare, Push>;
 
     static constexpr const char* limit_name = "elastic wave";
-    /// That of NeoHookean, s, by the wave speed that a `factor` above that of the source makes.
+    /// That of CompressibleNeoHookean, s, by the wave speed that a `factor` above that of the source makes.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double K = material.bulk_modulus(), shear = 4 * material.shear_modulus / 3;
         const double more = std::max(parameters.factor / Parameters{}.factor, 1.0);

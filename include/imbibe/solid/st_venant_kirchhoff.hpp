@@ -1,18 +1,20 @@
-// The law of St. Venant and Kirchhoff: Hooke's law for large rotations.
+// The law of St. Venant and Kirchhoff, W = lambda/2 tr(E)^2 + G E:E: Hooke's law for large rotations.
 #pragma once
 
 #include <imbibe/solid/first_piola.hpp>
 
 namespace imbibe {
 
-/// P = F S, S = lambda tr(E) 1 + 2 mu E, E = (F^T F - 1)/2, in Pa, with mu = G and lambda = K - 2G/3, K = rho_0 c^2 of
-/// the material. In 2D: plane strain.
+/// W = lambda/2 tr(E)^2 + G E:E, the energy stored in J/m^3 of the stress-free solid, with E = (F^T F - 1)/2 and lambda
+/// = K - 2G/3, K = rho_0 c^2 of the material. In 2D: plane strain, E has nothing out of the plane. The stress is
+///
+///     P = dW/dF = F S, S = lambda tr(E) 1 + 2 G E, in Pa.
 ///
 /// For large displacements and rotations with small strains (plates, beams, sponges that bend): a rotation gives no
 /// stress.
 ///
 /// Not for strong compression: below a stretch of 0.58 the material softens and at last collapses (dP/dF < 0 for
-/// F < 1/sqrt(3) in one dimension). NeoHookean does not.
+/// F < 1/sqrt(3) in one dimension). The neo-Hookean laws do not.
 ///
 /// Source: any textbook of continuum mechanics, for instance Holzapfel (2000).
 struct StVenantKirchhoff {
@@ -32,7 +34,7 @@ struct StVenantKirchhoff {
         return F * S;
     }
 
-    /// The energy stored by the deformation F, J/m^3 of the stress-free solid: lambda/2 tr(E)^2 + mu E:E.
+    /// W as above, J/m^3 of the stress-free solid.
     template <int dim>
     static double stored_energy(const auto& material, const Tensor<double, dim>& F) {
         const auto E = 0.5 * (transpose(F) * F - identity<double, dim>());
@@ -40,8 +42,8 @@ struct StVenantKirchhoff {
     }
 
     /// (c/c_0)^2 at the deformation F or a little more: the square of the fastest wave's speed over that of the
-    /// stress-free solid. The acoustic tensor of a wave with the stress-free normal N is (N.S N) 1 + (lambda + mu) n (x)
-    /// n + mu F F^T, n = F N, Pa; with the greatest eigenvalue of F^T F, of which there is a bound
+    /// stress-free solid. The acoustic tensor of a wave with the stress-free normal N is (N.S N) 1 + (lambda + G) n (x)
+    /// n + G F F^T, n = F N, Pa; with the greatest eigenvalue of F^T F, of which there is a bound
     /// (detail::greatest_row_sum), each of the three is at its greatest.
     template <class T, int n>
     static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {

@@ -2,7 +2,8 @@
 //
 //   struct Sponge : Solid<ReferenceCorrection<>,          // once: L = M^-1 from the stress-free neighbours
 //                         DeformationGradient<>,          // u -> F
-//                         StVenantKirchhoff,              // F -> P (or NeoHookean; VolumetricDeviatoric: nu near 1/2)
+//                         StVenantKirchhoff,              // F -> P (or CompressibleNeoHookean, IsochoricNeoHookean,
+//                                                         //    VolumetricDeviatoric: nu near 1/2)
 //                         TotalLagrangianForce<>,         // P, L -> dv/dt
 //                         HourglassControl<>,             // against what F does not see
 //                         TotalLagrangianViscosity<>> {}; // if it should stop ringing

@@ -11,7 +11,8 @@ namespace imbibe {
 /// `velocity_field` is the velocity it is the gradient of: `velocity`, or `smoothed_velocity` with Xsph.
 ///
 /// Not exact for a linear velocity: with few neighbours and at a free surface it is too small (the factor is 0.47 in
-/// the interior with 6 neighbours), and so is every stress made of it. Where that matters use corrected gradients.
+/// the interior with 6 neighbours), and so is every stress made of it. Where that matters take
+/// CorrectedVelocityGradient (solid/corrected_gradients.hpp).
 ///
 /// Source: Monaghan (1992); the paper, Eq. (21).
 template <class Kernel, auto velocity_field = velocity>

@@ -1,10 +1,10 @@
-// A nearly incompressible rubber: the pressure from the change of volume averaged over the neighbours, the rest of the
-// stress from the particle's own deformation.
+// A nearly incompressible rubber, W = G/2 (J^(-2/3) tr C - 3) + K/4 (mean J^2 - 1 - 2 ln mean J): the pressure from the
+// change of volume averaged over the neighbours, the rest of the stress from the particle's own deformation.
 #pragma once
 
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/deformation_gradient.hpp>
-#include <imbibe/solid/first_piola.hpp>
+#include <imbibe/solid/neo_hookean.hpp>
 
 namespace imbibe {
 
@@ -38,21 +38,23 @@ struct AveragedMeanStress : Field<Rank::scalar> {
 };
 inline constexpr AveragedMeanStress averaged_mean_stress{};
 
-/// P = G J^(-2/3) (F - I_1/3 F^-T) + p J F^-T, in Pa, for the stored energy, J,
+/// W = G/2 (J^(-2/3) tr C - 3) + K/4 (mean J^2 - 1 - 2 ln mean J), the energy stored in J/m^3 of the stress-free solid,
+/// with C = F^T F (in 2D: plane strain, the third stretch is one and counts in tr C), J = det F and K = rho_0 c^2: the
+/// law of IsochoricNeoHookean, with an averaged volume. The stress is
 ///
-///     sum_a V_a [G/2 (J_a^(-2/3) I_1a - 3) + U(mean J_a)],   U(J) = K/2 ((J^2 - 1)/2 - ln J),
+///     P = G J^(-2/3) (F - tr C/3 F^-T) + p J F^-T, in Pa.
 ///
-/// with I_1 = tr F^T F (plus 1 in 2D: plane strain) and K = rho_0 c^2. The mean of J is the kernel average over the
-/// stress-free neighbours, mean J_a = sum_b V_b W_ab J_b / sum_b V_b W_ab. The mean stress that belongs to it is
-/// averaged back with the same weights turned round, p_a = sum_b V_b W_ab U'(mean J_b) / sum_c V_c W_bc: then the force
-/// of TotalLagrangianForce is minus the derivative of the energy, and momentum, angular momentum and energy are kept as
-/// with any other law.
+/// The mean of J is the kernel average over the stress-free neighbours, mean J_a = sum_b V_b W_ab J_b / sum_b V_b W_ab.
+/// The mean stress that belongs to it is averaged back with the same weights turned round, p_a = sum_b V_b W_ab U'(mean
+/// J_b) / sum_c V_c W_bc with U'(J) = K/2 (J - 1/J): then the force of TotalLagrangianForce is minus the derivative of
+/// the energy, and momentum, angular momentum and energy are kept as with any other law.
 ///
-/// A law in place of NeoHookean, for Poisson's ratios near 1/2. There the local volume asks more of the particles than
-/// their neighbours leave them free to do, and the mean stress alternates from particle to particle (checkerboard).
-/// Averaged, it is smooth: where J alternates on a square lattice with a support of 2 spacings, 0.06 of that is left in
-/// mean J, and 0.06 of that again in the mean stress. In a swinging beam (nu 0.499) the alternating part of the mean
-/// stress fell to 1/25 of what it was with NeoHookean; with 1.5 spacings only to 1/1.6, with 2.6 to 1/76.
+/// A law in place of the neo-Hookean ones, for Poisson's ratios near 1/2. There the local volume asks more of the
+/// particles than their neighbours leave them free to do, and the mean stress alternates from particle to particle
+/// (checkerboard). Averaged, it is smooth: where J alternates on a square lattice with a support of 2 spacings, 0.06 of
+/// that is left in mean J, and 0.06 of that again in the mean stress. In a swinging beam (nu 0.499) the alternating
+/// part of the mean stress fell to 1/25 of what it was with CompressibleNeoHookean; with 1.5 spacings only to 1/1.6,
+/// with 2.6 to 1/76.
 ///
 /// Not for ordinary compressible solids: two more sweeps, and changes of volume smaller than the support are not
 /// resisted. In a column twisted by a revolution (nu 0.499) the volumes of single particles went from 0.90 to 1.08, and
@@ -123,39 +125,21 @@ struct VolumetricDeviatoric {
         using sets = Fields<first_piola_stress>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            using A = std::remove_cvref_t<decltype(a)>;
-            using T = typename A::Scalar;
-            const auto F = a[deformation_gradient];
-            const T J = a[volume_ratio];
-            const T I1 = trace(transpose(F) * F) + T(3 - A::dimension); // the third stretch of plane strain is one
-            const T shear = T(a.material.shear_modulus) * pow(J, -2.0 / 3);
-            const auto cofactor = transpose(adjugate(F)); // J F^-T
-            return shear * F + (a[averaged_mean_stress] - shear * I1 / (3 * J)) * cofactor;
+            using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+            return detail::isochoric_stress(a[deformation_gradient], T(a[volume_ratio]), T(a.material.shear_modulus),
+                                            T(a[averaged_mean_stress]));
         }
     };
     using parts = Parts<Weigh, Volume, Sum, Pressure, Share, Stress>;
 
-    /// (c/c_0)^2 at the deformation F or a little more, where the volume is not averaged: the square of the fastest
-    /// wave's speed over that of the stress-free solid. The acoustic tensor of a wave with the stress-free normal N is G
-    /// J^(-2/3) [1 - 2/3 (n (x) m + m (x) n) + 5/9 I_1 m (x) m] + K/2 (J^2 + 1) m (x) m, n = F N, m = F^-T N, n.m = 1, Pa;
-    /// |n|^2 and |m|^2 are at most the greatest eigenvalues of F^T F and its inverse, of which there are bounds
-    /// (detail::greatest_row_sum).
+    /// That of IsochoricNeoHookean, whose volume is not averaged: a little more.
     template <class T, int n>
     static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {
-        const T J = max(determinant(F), T(1e-3));
-        const auto inverse_times_J = adjugate(F);
-        const auto C = transpose(F) * F;
-        const T m2 = detail::greatest_row_sum(inverse_times_J * transpose(inverse_times_J)) / sq(J);
-        const T n2 = detail::greatest_row_sum(C), I1 = trace(C) + T(3 - n);
-        // the greater eigenvalue of -2/3 (n (x) m + m (x) n) + 5/9 I_1 m (x) m, in the plane of the two
-        const T half = T(5.0 / 18) * I1 * m2 - T(2.0 / 3);
-        const T both = half + sqrt(sq(half) + T(4.0 / 9) * positive_part(m2 * n2 - 1));
-        const T G = material.shear_modulus, K = material.bulk_modulus();
-        return (G * pow(J, -2.0 / 3) * (1 + both) + T(0.5) * K * (sq(J) + 1) * m2) / (K + T(4.0 / 3) * G);
+        return IsochoricNeoHookean::wave_stiffening(material, F);
     }
 
     static constexpr const char* limit_name = "elastic wave";
-    /// That of NeoHookean, s.
+    /// That of CompressibleNeoHookean, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return detail::elastic_wave_limit(material, in);
     }

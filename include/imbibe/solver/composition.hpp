@@ -373,9 +373,9 @@ namespace detail {
 
 // Stands for the engine of a scene, where only the name of a step is asked for.
 struct AnyEngine;
-template <class I>
+template <class Given>
 concept IsIntegrator = requires {
-    &I::template step<AnyEngine>;
+    &Given::template step<AnyEngine>;
 };
 
 template <class Real>

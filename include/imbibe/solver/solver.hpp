@@ -11,6 +11,7 @@
 #include <imbibe/solver/warnings.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -144,11 +145,19 @@ public:
 
     // ---- looking at it ----
 
-    /// One phase of the scene. Its views are valid until the next step: particles are re-sorted.
+    /// One phase of the scene. The views of its fields are valid until the next step: particles are re-sorted.
     template <class P, class S>
     struct PhaseView {
         /// Where the particles are kept.
         S& state;
+        /// Looks at the particles of `where`.
+        explicit PhaseView(S& where) : state(where) {}
+        PhaseView(const PhaseView&) = default;
+        /// Looks where `other` looks: `view = scene[water]`. Copies no numbers; a view of a field copies them.
+        PhaseView& operator=(const PhaseView& other) {
+            S& where = other.state; // taken first: `other` may be this view
+            return *std::construct_at(this, where);
+        }
         /// A field of all particles, n rows and one column per component, no copy: `scene[water][velocity]`.
         template <class F>
         auto operator[](F f) const {
@@ -165,12 +174,12 @@ public:
     template <class P>
     PhaseView<P, State<P>> operator[](PhaseHandle<P>) {
         may_have_changed_ = true;
-        return {*find_phase<P>(engine_)};
+        return PhaseView<P, State<P>>(*find_phase<P>(engine_));
     }
     /// The same, to read.
     template <class P>
     PhaseView<P, const State<P>> operator[](PhaseHandle<P>) const {
-        return {*find_phase<P>(engine_)};
+        return PhaseView<P, const State<P>>(*find_phase<P>(engine_));
     }
     /// The same by the phase's type.
     template <class P>

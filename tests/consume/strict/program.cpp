@@ -1,4 +1,6 @@
 // All of the library, and a scene that uses much of it, for compilers with their strictest warnings: see strict.cmake.
+#include "platform_macros.hpp"
+
 #include <imbibe/accuracy/study.hpp>
 #include <imbibe/imbibe.hpp>
 #include <imbibe/presets/sponge.hpp>
