@@ -134,7 +134,7 @@ std::string checkpoint_numbers(const Scene& scene) {
     scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
         add(name_among<P>(typename Scene::Phases{}), numbers_of_owner(s.material));
     });
-    const auto add_couplings = [&]<class... C>(TypeList<C...> all) {
+    const auto add_couplings = [&]<class... C>([[maybe_unused]] TypeList<C...> all) {
         (add(name_among<C>(all), numbers_of_owner(scene.template coupling<C>())), ...);
     };
     add_couplings(typename Scene::Couplings{});

@@ -383,14 +383,14 @@ private:
     }
 
     // Does the integrator name phases and terms of the scene?
-    template <class I>
+    template <class Given>
     static constexpr bool check_integrator() {
-        if constexpr (requires { typename I::Fast; })
-            return in_the_scene<typename I::Fast, Phases, list_the_phase_in_the_solver>();
-        else if constexpr (requires { requires I::Slow::size == 0; })
-            return detail::break_rule<rules::NothingIsSlow<I, name_terms_such_as_MorrisViscosity>>();
-        else if constexpr (requires { typename I::Slow; })
-            return detail::RowsOfTerms<Scene, typename I::Slow>::check();
+        if constexpr (requires { typename Given::Fast; })
+            return in_the_scene<typename Given::Fast, Phases, list_the_phase_in_the_solver>();
+        else if constexpr (requires { requires Given::Slow::size == 0; })
+            return detail::break_rule<rules::NothingIsSlow<Given, name_terms_such_as_MorrisViscosity>>();
+        else if constexpr (requires { typename Given::Slow; })
+            return detail::RowsOfTerms<Scene, typename Given::Slow>::check();
         else
             return true;
     }

@@ -114,7 +114,8 @@
 #define minor(device) 0
 #define makedev(larger, smaller) 0
 
-// <complex.h>, besides I
+// <complex.h>
+#define I (__extension__ 1.0iF)
 #define imaginary _Imaginary
 
 // compilers without -std=c++20
