@@ -23,7 +23,7 @@ using CheckpointNotes = std::map<std::string, double>;
 
 namespace detail {
 
-inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 4\n";
+inline constexpr std::string_view checkpoint_title = "imbibe checkpoint 5\n";
 inline constexpr std::string_view end_of_checkpoint_head = "----\n";
 
 /// A 64-bit checksum (FNV-1a, Fowler, Noll and Vo).

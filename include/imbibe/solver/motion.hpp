@@ -5,14 +5,6 @@
 
 namespace imbibe::detail {
 
-/// The greatest speed and acceleration of all blocks of n particles.
-[[gnu::noinline]] IMBIBE_PER_BUILD inline Motion greatest(int n, int threads,
-                                                          const Callable<Motion(int, int)>& of_block) {
-    return parallel_reduce(n, threads, Motion{}, of_block, [](const Motion& one, const Motion& other) {
-        return Motion{std::max(one.speed, other.speed), std::max(one.acceleration, other.acceleration)};
-    });
-}
-
 /// What SupportedShare is made of, in one step.
 template <int dim, class Real>
 class Support {
@@ -146,14 +138,19 @@ public:
         });
     }
 
-    /// Measures the greatest speed of every phase; its acceleration is at least gravity. For the first step.
+    /// Measures the speeds of every phase; its acceleration is at least gravity. For the first step.
     void measure_motion() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
-            m.acceleration = std::max(m.acceleration, std::sqrt(squared_norm(this->gravity)));
-            if constexpr (contains<Velocity, FieldsOf<P>>)
-                m.speed = this->greatest_speed(s);
-        });
+        const auto measure_all = [&] {
+            for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+                auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
+                const double acceleration = std::max(m.acceleration, std::sqrt(squared_norm(this->gravity)));
+                m = this->velocities_of(s);
+                m.acceleration = acceleration;
+            });
+        };
+        measure_all(); // the means, of which the frame is made
+        this->choose_frame();
+        measure_all();
     }
 
     /// The same for velocities that a host has made greater since the last step. Speeds that only differ in how they
@@ -162,8 +159,12 @@ public:
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             if constexpr (P::moves) {
                 auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
-                if (const double now = this->greatest_speed(s); now > m.speed * (1 + 1e-5))
-                    m.speed = now;
+                const Motion now = this->velocities_of(s);
+                if (now.speed > m.speed + 1e-5 * m.fastest || now.fastest > m.fastest * (1 + 1e-5)) {
+                    m.speed = now.speed;
+                    m.fastest = now.fastest;
+                    m.mean = now.mean;
+                }
             }
         });
     }
@@ -238,37 +239,50 @@ private:
         (one(std::type_identity<F>{}), ...);
     }
 
-    // velocity = old + dt * acceleration; the greatest speed and acceleration; the supported share, if a term reads it.
+    // velocity = old + dt * acceleration; the speeds and the greatest acceleration; the supported share, if a term
+    // reads it.
     template <class P, class List>
     Motion advance_velocities(PhaseState<P, List, dim, Real>& s, const Real* old, double dt) {
         const Real by = static_cast<Real>(dt);
         Real* v = s.field(velocity);
         const Real* a = s.field(acceleration);
         const std::size_t stride = s.stride();
+        Real frame[dim];
+        for (int d = 0; d < dim; ++d)
+            frame[d] = static_cast<Real>(this->frame[d]);
         std::conditional_t<contains<SupportedShare, List>, Support<dim, Real>, NoSupport> support;
         if constexpr (contains<SupportedShare, List>)
             support = {this->gravity, dt * s.material.sound_speed / s.material.support_radius};
         const auto block = [&](int begin, int end) {
-            Real speed2 = 0, acceleration2 = 0;
+            Real speed2 = 0, acceleration2 = 0, fastest2 = 0, sum[dim]{};
             for (int i = begin; i < end; ++i) {
-                Real free = 1, v2 = 0, a2 = 0, borne = 0;
+                Real free = 1, v2 = 0, relative2 = 0, a2 = 0, borne = 0;
                 if constexpr (contains<Mobility, List>)
                     free = s.field(mobility)[i];
                 for (std::size_t d = 0; d < dim; ++d) {
                     const std::size_t k = d * stride + static_cast<std::size_t>(i);
                     v[k] = old[k] + by * free * a[k];
                     v2 += v[k] * v[k];
+                    relative2 += sq(v[k] - frame[d]);
+                    sum[d] += v[k];
                     a2 += free * a[k] * a[k];
                     borne += support.along(d, free * a[k]);
                 }
                 if constexpr (contains<SupportedShare, List>)
                     s.field(supported_share)[i] = support.mean(s.field(supported_share)[i], borne);
-                speed2 = std::max(speed2, v2);
+                speed2 = std::max(speed2, relative2);
+                fastest2 = std::max(fastest2, v2);
                 acceleration2 = std::max(acceleration2, a2);
             }
-            return Motion{std::sqrt(static_cast<double>(speed2)), std::sqrt(static_cast<double>(acceleration2))};
+            Motion found{std::sqrt(static_cast<double>(speed2)),
+                         std::sqrt(static_cast<double>(acceleration2)),
+                         std::sqrt(static_cast<double>(fastest2)),
+                         {}};
+            for (std::size_t d = 0; d < dim; ++d)
+                found.mean[d] = static_cast<double>(sum[d]);
+            return found;
         };
-        return greatest(s.size(), this->threads, Callable<Motion(int, int)>(block));
+        return motion_of_blocks(s.size(), this->threads, Callable<Motion(int, int)>(block));
     }
     template <class P, class List>
     void measure(const PhaseState<P, List, dim, Real>&, const Motion& motion) {
@@ -281,7 +295,7 @@ private:
         if constexpr (contains<TransportCorrection, FieldsOf<P>>)
             this->travelled[k] = std::numeric_limits<double>::infinity();
         else
-            this->travelled[k] += dt * this->motions[k].speed;
+            this->travelled[k] += dt * this->motions[k].fastest;
     }
     // position = old + dt * (velocity + transport correction).
     template <class P, class List>
