@@ -1,6 +1,7 @@
 // How particles move: velocities by accelerations, positions by velocities, and how fast that is.
 #pragma once
 
+#include <imbibe/solver/closed_fluid.hpp>
 #include <imbibe/solver/neighbourhood.hpp>
 
 namespace imbibe::detail {
@@ -224,6 +225,8 @@ private:
     void advance_states(PhaseState<P, List, dim, Real>& s, const AlignedVector<Real>& from, double dt, TypeList<F...>) {
         const Real by = static_cast<Real>(dt);
         [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
+            if constexpr (std::is_same_v<G, Density>)
+                keep_volume(s, from.data() + kept_offset<P, G> * s.stride(), dt, box_of<P>(*this), this->threads);
             for (std::size_t k = 0; k < static_cast<std::size_t>(components(G::rank, dim)); ++k) {
                 const int c = static_cast<int>(k);
                 Real* to = s.column(component_offset<dim, G, List> + c);

@@ -6,6 +6,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
 #include <imbibe/geometry/point.hpp>
+#include <imbibe/solver/closed_fluid.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -246,6 +247,7 @@ void note_doubts_of_scene(Warnings& warnings, const Engine& engine, const Origin
         if (engine.template state<A>().size() == 0)
             warnings.note(text(type_name<A>(), " has no particles; was scene.add forgotten?"));
         warnings.note(warning_of_soft_fluid<A>(engine));
+        warnings.note(warning_of_no_shifting<A>(engine));
         (look_at_pair(phase, std::type_identity<P>{}), ...);
     };
     (look_at(std::type_identity<P>{}), ...);
