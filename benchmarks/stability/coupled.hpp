@@ -162,8 +162,6 @@ Outcome water_on_plate(const Plan& plan) {
 }
 
 /// Water and a block beside it, in free fall: nothing may move against anything else, and no pressure arise. Row 21.
-/// Terms that take the hydrostatic part out of a difference (DensityDiffusion, RiemannContinuity) know gravity and not
-/// that the water falls: they build up the pressure of still water.
 template <class C, class Real = double>
 Outcome free_fall(const Plan& plan) {
     auto scene = coupled_scene<C, Real>(30);

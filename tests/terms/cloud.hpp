@@ -27,7 +27,7 @@ Tensor<Number<double>, dim> tensor(const Matrix<dim>& m) {
 }
 
 /// n^dim particles at `spacing` of the material, each moved by up to `jitter` spacings; lower corner at `origin`.
-/// Position, reference position, mass, density and velocity (zero) are set.
+/// Position, reference position, mass, density, velocity (zero) and the supported share (1) are set.
 template <int dim, class Material>
 Cloud<dim, Material> block(const Material& material, int n, double jitter, unsigned seed = 1,
                            const ColumnVector<dim>& origin = ColumnVector<dim>::Zero()) {
@@ -40,7 +40,7 @@ Cloud<dim, Material> block(const Material& material, int n, double jitter, unsig
         Particle<dim, Number<double>, Material> p(material);
         p.set(position, vec<dim>(x)).set(reference_position, vec<dim>(x));
         p.set(mass, material.density * std::pow(material.spacing, dim)).set(density, material.density);
-        p.set(velocity, Vector<Number<double>, dim>::zero());
+        p.set(velocity, Vector<Number<double>, dim>::zero()).set(supported_share, 1.0);
         all.push_back(p);
     }
     return all;

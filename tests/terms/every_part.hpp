@@ -117,7 +117,9 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
         c += dice(-0.1, 0.1);
     p.set(deformation_gradient, t).set(corrected_piola_stress, t);
     p.set(no_slip_velocity, dice.vector<dim>(1));
-    p.set(wall_direction, dice.vector<dim>(1e3)).set(density_gradient, dice.vector<dim>(1e4));
+    p.set(supported_share, dice(0, 1))
+        .set(wall_direction, dice.vector<dim>(1e3))
+        .set(density_gradient, dice.vector<dim>(1e4));
     p.set(pressure_over_impedance, p[pressure] / detail::impedance(p.material)).set(surface_indicator, dice(0, 1));
     p.set(surface_normal, dice.vector<dim>(0.5));
     p.set(gradient_correction, symmetric_part(t)).set(corrected_stress, t);

@@ -21,7 +21,8 @@ void check_sides() {
     CHECK(sides<Volume, dim, Water>() == "mass density |");
     CHECK(sides<VolumePressure<>::Push, dim, Water>() == "mass volume pressure | volume pressure");
     CHECK(sides<VolumePressure<>::Push, dim, Water, Bed>() == "mass volume pressure | volume pressure");
-    CHECK(sides<DensityDiffusion<>::Smooth, dim, Water>() == "density | density volume");
+    CHECK(sides<DensityDiffusion<>::Smooth, dim, Water>() ==
+          "density supported_share | density volume supported_share");
     CHECK(sides<DensityFloor, dim, Water>() == "density |");
     CHECK(sides<MorrisViscosity<>, dim, Water>() == "density velocity | mass density velocity");
     CHECK(sides<PressureExtrapolation<>::Sum, dim, Bed, Water>() == "| pressure density");

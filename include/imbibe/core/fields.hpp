@@ -21,6 +21,19 @@ struct Velocity : Field<Rank::vector> {
 inline constexpr Velocity velocity{};
 /// Acceleration, m/s^2: starts every step from the scene's gravity.
 inline constexpr Rate<Velocity> acceleration{};
+/// The share of its weight that a particle of a fluid is borne by what is around it, without unit: 1 where it stands, 0
+/// where it falls freely, (g - a).g/|g|^2 in general, with the scene's gravity g and the acceleration a. It is the
+/// running mean of that over the time that sound takes for 10 support radii, so that waves of sound do not count; what
+/// fell freely follows at once, as far as 1. Zero before the first step and where there is no gravity.
+/// The solver keeps it for terms that read it: what a step's rates are made of knows only the acceleration of the steps
+/// before.
+///
+/// Source: own.
+struct SupportedShare : Field<Rank::scalar> {
+    static constexpr std::string_view name = "supported_share", unit = "1";
+    static constexpr bool given = true;
+};
+inline constexpr SupportedShare supported_share{};
 
 /// Mass of a particle, kg (kg/m in 2D).
 struct Mass : Field<Rank::scalar> {

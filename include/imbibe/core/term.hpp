@@ -251,10 +251,14 @@ IMBIBE_INLINE constexpr Central<T> along(const Pair<dim, T>&, const std::type_id
 }
 
 /// What a term may use to say how long a step may be.
+///
+/// Speeds are those against what is around, not those that all share: in the frame of the walls (at their mean
+/// velocity), at rest where particles are held, and where there are neither in the frame of the mean velocity of all
+/// particles. Two particles approach by the sum of their phases' `max_speed` at most.
 struct IMBIBE_PER_BUILD TimeStepInput {
     double support_radius;   ///< H of the phase, m
     double spacing;          ///< initial particle spacing of the phase, m
-    double max_speed;        ///< greatest speed in the phase now, m/s
+    double max_speed;        ///< greatest speed in the phase now, m/s, in the frame said above
     double max_acceleration; ///< greatest acceleration in the phase in the last step, m/s^2
     int dimension;           ///< 2 or 3
     /// The spacing of the other phase and its greatest speed, for terms of a coupling.
@@ -268,6 +272,8 @@ struct IMBIBE_PER_BUILD TimeStepInput {
     /// The least trace of a symmetric tensor in the phase, for terms of a phase that ask for one by
     /// `using limit_by_least_trace = Field`; 0 before the first step if it is not computed once.
     double least_trace = 0;
+    /// The greatest of the phase's velocities as they are, m/s: for a term that asks for the velocity itself.
+    double fastest = 0;
 };
 
 /// The base of a term whose force depends on positions and is not stiff in them, such as that of a rotating frame or of

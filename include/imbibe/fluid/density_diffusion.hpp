@@ -12,9 +12,6 @@ namespace imbibe {
 struct DensityDiffusionParameters {
     /// Strength, without unit. 0.1 is the usual value; more smears the pressure and, above about 0.5, costs time step.
     double delta = 0.1;
-    /// Take the hydrostatic difference out before smoothing, so that still water stays as it is. Without it a column
-    /// of water slowly swells at its surface.
-    bool hydrostatic = true;
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message
     void check(std::string_view where) const {
@@ -22,22 +19,25 @@ struct DensityDiffusionParameters {
     }
 };
 
-/// drho_a/dt += 2 delta h c sum_b V_b (rho_b - rho_a - rho_0/c^2 g.(x_b - x_a)) (x_b - x_a).grad_a W_ab / |x_ab|^2
+/// drho_a/dt += 2 delta h c sum_b V_b (rho_b - rho_a - s_ab rho_0/c^2 g.(x_b - x_a)) (x_b - x_a).grad_a W_ab / |x_ab|^2
 ///
-/// in kg/m^3/s, with h = H/2, the reference density rho_0 and the sound speed c of the material, and gravity g.
-/// (x_b - x_a).grad_a W_ab is positive, so a particle lighter than its neighbours becomes heavier: it smooths.
+/// in kg/m^3/s, with h = H/2, the reference density rho_0 and the sound speed c of the material, gravity g, and the
+/// mean s_ab of the two particles' supported_share. (x_b - x_a).grad_a W_ab is positive, so a particle lighter than its
+/// neighbours becomes heavier: it smooths.
 /// The subtracted part is the density difference of the fluid at rest, linear in g.x: exact for LinearState, and for
-/// Tait up to the square of g depth/c^2.
+/// Tait up to the square of g depth/c^2. Without it a column of water slowly swells at its surface. It acts as far as
+/// the water is borne (SupportedShare): in free fall, where nothing is, no pressure arises.
 ///
 /// For one fluid, beside Continuity or VolumeContinuity. What one particle gains the other loses (V_a drho_a
 /// is antisymmetric), so the mean density weighted with volume does not drift.
 ///
 /// Not in a coupling: across an interface, and towards a wall, densities differ for good reason. Not a substitute for
 /// viscosity: it damps sound, not motion. Not in creeping flow: with it the narrow pore of
-/// benchmarks/validation/one_pore.hpp has a tenth less resistance (docs/validation.md). In a tank that is accelerated,
-/// gravity is not all that acts: switch `hydrostatic` off there.
+/// benchmarks/validation/one_pore.hpp has a tenth less resistance (docs/validation.md). In a tank that is accelerated
+/// sideways, gravity is not all that acts: there AntuonoDiffusion, or the acceleration as part of gravity
+/// (Solver::set_gravity).
 ///
-/// Source: Molteni and Colagrossi (2009); hydrostatic part: Fourtakas et al. (2019), here linearised.
+/// Source: Molteni and Colagrossi (2009); hydrostatic part: Fourtakas et al. (2019), here linearised; s_ab is own.
 template <class Kernel = WendlandC2>
 struct DensityDiffusion {
     using effect = effects::density_diffusion;
@@ -45,14 +45,14 @@ struct DensityDiffusion {
     using Parameters = DensityDiffusionParameters;
 
     struct Smooth {
-        using reads = Fields<density, volume>;
+        using reads = Fields<density, volume, supported_share>;
         using adds = Fields<density_rate>;
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             const double c = a.material.sound_speed;
-            const double per_depth = parameters.hydrostatic ? a.material.density / sq(c) : 0.0;
-            const auto excess = a[density] - b[density] - per_depth * dot(ab.gravity(), ab.offset);
+            const auto share = 0.5 * a.material.density / sq(c) * (a[supported_share] + b[supported_share]);
+            const auto excess = a[density] - b[density] - share * dot(ab.gravity(), ab.offset);
             // grad W = F x_ab with F < 0: F is all that is left of (x_ab . grad W)/|x_ab|^2.
             return (parameters.delta * c) * ab.support_radius * b[volume] * excess * ab.gradient(Kernel{});
         }

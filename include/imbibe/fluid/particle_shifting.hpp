@@ -172,7 +172,7 @@ struct ParticleShifting {
     /// them. Steps that sound limits are shorter than that, with a strength of 2, as long as v is below a sixth of its
     /// speed.
     static double advection_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
-        const double speed = parameters.strength * std::max(in.max_speed, parameters.least_speed);
+        const double speed = parameters.strength * std::max(in.fastest, parameters.least_speed);
         return speed > 0 ? 2.5 * parameters.most_in_a_step * material.support_radius * material.support_radius /
                                (in.spacing * speed)
                          : std::numeric_limits<double>::infinity();

@@ -95,9 +95,11 @@ private:
                     const auto phase = scene[PhaseHandle<P>{}];
                     const auto v = phase[velocity];
                     require_finite(scene, phase, name_of<P>(scene), v, "velocity");
+                    const auto frame = to_eigen(scene.engine().frame).transpose().eval();
                     int i = 0;
                     for (int k = 1; k < s.size(); ++k)
-                        if (v.row(k).squaredNorm() > v.row(i).squaredNorm())
+                        if ((v.row(k).template cast<double>() - frame).squaredNorm() >
+                            (v.row(i).template cast<double>() - frame).squaredNorm())
                             i = k;
                     stop(scene, Cause::too_fast, name_of<P>(scene), phase, i,
                          text("moves at ", fastest, " m/s, ", fastest / s.material.sound_speed,

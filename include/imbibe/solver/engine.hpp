@@ -73,6 +73,9 @@ private:
         using P = At<step.phase, Phases>;
         if (this->template state<P>().size() == 0)
             return;
+        if constexpr (contains<typename Scene::template Advance<P, Density>, Nodes>)
+            keep_volume(this->template state<P>(), this->template state<P>().field(density), step_length,
+                        box_of<P>(*this), this->threads);
         if constexpr (step.sweep)
             sweep<P>(Nodes{});
         else
@@ -118,7 +121,7 @@ private:
             const auto part = make_part<N>(owner<N>());
             using Reads = ReadsOnA<dim, N>;
             using T = Pack<Real, N::in_packs ? Base::width : 1>;
-            const P material = s.material; // a copy, as in a sweep
+            const P material = s.material;               // a copy, as in a sweep
             for (int i = begin; i < end; i += T::size) { // the last pack goes on into the room behind the particles
                 OwnValues<Reads, dim, T> own;
                 own.template load_consecutive<FieldsOf<P>>(s.data() + i, s.stride());

@@ -1,17 +1,51 @@
 // How particles move: velocities by accelerations, positions by velocities, and how fast that is.
 #pragma once
 
+#include <imbibe/solver/closed_fluid.hpp>
 #include <imbibe/solver/neighbourhood.hpp>
 
 namespace imbibe::detail {
 
-/// The greatest speed and acceleration of all blocks of n particles.
-[[gnu::noinline]] IMBIBE_PER_BUILD inline Motion greatest(int n, int threads,
-                                                          const Callable<Motion(int, int)>& of_block) {
-    return parallel_reduce(n, threads, Motion{}, of_block, [](const Motion& one, const Motion& other) {
-        return Motion{std::max(one.speed, other.speed), std::max(one.acceleration, other.acceleration)};
-    });
-}
+/// What SupportedShare is made of, in one step.
+template <int dim, class Real>
+class Support {
+public:
+    Support() = default;
+    /// @param g of the scene, m/s^2
+    /// @param sound how far sound comes in the step, in support radii
+    Support(const Vector<double, dim>& g, double sound)
+        : follow(static_cast<Real>(std::clamp(sound / supports, 0.0, 1.0))) {
+        const double g2 = squared_norm(g);
+        for (int d = 0; d < dim; ++d) {
+            gravity[d] = static_cast<Real>(g[d]);
+            per_weight[d] = g2 > 0 ? static_cast<Real>(g[d] / g2) : Real(0);
+        }
+    }
+    /// What component d of an acceleration adds to (g - a).g/|g|^2.
+    IMBIBE_INLINE Real along(std::size_t d, Real a) const {
+        const int k = static_cast<int>(d);
+        return per_weight[k] * (gravity[k] - a);
+    }
+    /// The mean, and what it is after this step. It follows at once where nothing was supported: so water that stands
+    /// is borne from its first step on, and no blow counts for more than its weight.
+    IMBIBE_INLINE Real mean(Real before, Real now) const {
+        return before == 0 ? std::min(std::max(now, Real(0)), Real(1)) : before + follow * (now - before);
+    }
+
+private:
+    // Over how long it is a mean: as long as sound takes for so many support radii. Without it (0) sound would be felt
+    // as support, and pass undamped by what smooths densities; with more, water that lands is taken for falling longer.
+    static constexpr double supports = 10;
+    Vector<Real, dim> gravity{}, per_weight{};
+    Real follow = 0;
+};
+/// The same where no term reads it.
+struct NoSupport {
+    template <class Real>
+    IMBIBE_INLINE Real along(std::size_t, Real) const {
+        return Real(0);
+    }
+};
 
 template <int dim, class Real, class Scene>
 class IMBIBE_PER_BUILD Mover : public Neighbourhood<dim, Real, Scene> {
@@ -105,14 +139,19 @@ public:
         });
     }
 
-    /// Measures the greatest speed of every phase; its acceleration is at least gravity. For the first step.
+    /// Measures the speeds of every phase; its acceleration is at least gravity. For the first step.
     void measure_motion() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
-            m.acceleration = std::max(m.acceleration, std::sqrt(squared_norm(this->gravity)));
-            if constexpr (contains<Velocity, FieldsOf<P>>)
-                m.speed = this->greatest_speed(s);
-        });
+        const auto measure_all = [&] {
+            for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+                auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
+                const double acceleration = std::max(m.acceleration, std::sqrt(squared_norm(this->gravity)));
+                m = this->velocities_of(s);
+                m.acceleration = acceleration;
+            });
+        };
+        measure_all(); // the means, of which the frame is made
+        this->choose_frame();
+        measure_all();
     }
 
     /// The same for velocities that a host has made greater since the last step. Speeds that only differ in how they
@@ -121,8 +160,12 @@ public:
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             if constexpr (P::moves) {
                 auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
-                if (const double now = this->greatest_speed(s); now > m.speed * (1 + 1e-5))
-                    m.speed = now;
+                const Motion now = this->velocities_of(s);
+                if (now.speed > m.speed + 1e-5 * m.fastest || now.fastest > m.fastest * (1 + 1e-5)) {
+                    m.speed = now.speed;
+                    m.fastest = now.fastest;
+                    m.mean = now.mean;
+                }
             }
         });
     }
@@ -182,6 +225,8 @@ private:
     void advance_states(PhaseState<P, List, dim, Real>& s, const AlignedVector<Real>& from, double dt, TypeList<F...>) {
         const Real by = static_cast<Real>(dt);
         [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
+            if constexpr (std::is_same_v<G, Density>)
+                keep_volume(s, from.data() + kept_offset<P, G> * s.stride(), dt, box_of<P>(*this), this->threads);
             for (std::size_t k = 0; k < static_cast<std::size_t>(components(G::rank, dim)); ++k) {
                 const int c = static_cast<int>(k);
                 Real* to = s.column(component_offset<dim, G, List> + c);
@@ -197,31 +242,50 @@ private:
         (one(std::type_identity<F>{}), ...);
     }
 
-    // velocity = old + dt * acceleration; the greatest speed and acceleration.
+    // velocity = old + dt * acceleration; the speeds and the greatest acceleration; the supported share, if a term
+    // reads it.
     template <class P, class List>
     Motion advance_velocities(PhaseState<P, List, dim, Real>& s, const Real* old, double dt) {
         const Real by = static_cast<Real>(dt);
         Real* v = s.field(velocity);
         const Real* a = s.field(acceleration);
         const std::size_t stride = s.stride();
+        Real frame[dim];
+        for (int d = 0; d < dim; ++d)
+            frame[d] = static_cast<Real>(this->frame[d]);
+        std::conditional_t<contains<SupportedShare, List>, Support<dim, Real>, NoSupport> support;
+        if constexpr (contains<SupportedShare, List>)
+            support = {this->gravity, dt * s.material.sound_speed / s.material.support_radius};
         const auto block = [&](int begin, int end) {
-            Real speed2 = 0, acceleration2 = 0;
+            Real speed2 = 0, acceleration2 = 0, fastest2 = 0, sum[dim]{};
             for (int i = begin; i < end; ++i) {
-                Real free = 1, v2 = 0, a2 = 0;
+                Real free = 1, v2 = 0, relative2 = 0, a2 = 0, borne = 0;
                 if constexpr (contains<Mobility, List>)
                     free = s.field(mobility)[i];
                 for (std::size_t d = 0; d < dim; ++d) {
                     const std::size_t k = d * stride + static_cast<std::size_t>(i);
                     v[k] = old[k] + by * free * a[k];
                     v2 += v[k] * v[k];
+                    relative2 += sq(v[k] - frame[d]);
+                    sum[d] += v[k];
                     a2 += free * a[k] * a[k];
+                    borne += support.along(d, free * a[k]);
                 }
-                speed2 = std::max(speed2, v2);
+                if constexpr (contains<SupportedShare, List>)
+                    s.field(supported_share)[i] = support.mean(s.field(supported_share)[i], borne);
+                speed2 = std::max(speed2, relative2);
+                fastest2 = std::max(fastest2, v2);
                 acceleration2 = std::max(acceleration2, a2);
             }
-            return Motion{std::sqrt(static_cast<double>(speed2)), std::sqrt(static_cast<double>(acceleration2))};
+            Motion found{std::sqrt(static_cast<double>(speed2)),
+                         std::sqrt(static_cast<double>(acceleration2)),
+                         std::sqrt(static_cast<double>(fastest2)),
+                         {}};
+            for (std::size_t d = 0; d < dim; ++d)
+                found.mean[d] = static_cast<double>(sum[d]);
+            return found;
         };
-        return greatest(s.size(), this->threads, Callable<Motion(int, int)>(block));
+        return motion_of_blocks(s.size(), this->threads, Callable<Motion(int, int)>(block));
     }
     template <class P, class List>
     void measure(const PhaseState<P, List, dim, Real>&, const Motion& motion) {
@@ -234,7 +298,7 @@ private:
         if constexpr (contains<TransportCorrection, FieldsOf<P>>)
             this->travelled[k] = std::numeric_limits<double>::infinity();
         else
-            this->travelled[k] += dt * this->motions[k].speed;
+            this->travelled[k] += dt * this->motions[k].fastest;
     }
     // position = old + dt * (velocity + transport correction).
     template <class P, class List>

@@ -5,10 +5,25 @@
 #include <imbibe/solver/pair_distances.hpp>
 #include <imbibe/solver/scene_state.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace imbibe::detail {
+
+/// The motion of n particles from that of blocks, which have the sum of the velocities for their mean.
+[[gnu::noinline]] IMBIBE_PER_BUILD inline Motion motion_of_blocks(int n, int threads,
+                                                                  const Callable<Motion(int, int)>& of_block) {
+    Motion all = parallel_reduce(n, threads, Motion{}, of_block, [](const Motion& one, const Motion& other) {
+        return Motion{std::max(one.speed, other.speed),
+                      std::max(one.acceleration, other.acceleration),
+                      std::max(one.fastest, other.fastest),
+                      {one.mean[0] + other.mean[0], one.mean[1] + other.mean[1], one.mean[2] + other.mean[2]}};
+    });
+    for (double& component : all.mean)
+        component /= std::max(n, 1);
+    return all;
+}
 
 template <int dim, class Real, class Scene>
 class IMBIBE_PER_BUILD Neighbourhood : public SceneState<dim, Real, Scene> {
@@ -54,7 +69,7 @@ public:
 
     /// In every step: sorts what moves and finds the neighbours of now, if it is due.
     void find_neighbours() {
-        measure_walls();
+        choose_frame();
         ++steps_since_search;
         if (search_is_due(0)) {
             search_neighbours();
@@ -172,14 +187,16 @@ public:
                                                          reach_of(this->template support<A, B>()), this->periodic);
     }
 
-    /// The greatest speed in phase P, m/s: of what moves by itself as it was after the last step, of walls, which a
-    /// host moves, as it is now.
+    /// How fast phase P moves: what moves by itself as it was after the last step, walls, which a host moves, as they
+    /// are now.
     template <class P>
-    double speed_now() const {
-        if constexpr (!P::moves && contains<Velocity, typename Base::template FieldsOf<P>>)
-            return greatest_speed(this->template state<P>());
-        else
-            return this->template motion<P>().speed;
+    Motion motion_now() const {
+        Motion now = this->template motion<P>();
+        if constexpr (!P::moves) {
+            now = velocities_of(this->template state<P>());
+            now.acceleration = this->template motion<P>().acceleration;
+        }
+        return now;
     }
 
     /// The pairs of a link; as they are now, if no particle was added or removed since the last search.
@@ -233,31 +250,62 @@ protected:
             s.copy_places_to_image(this->threads);
     }
 
-    /// The greatest speed of the particles of a phase that has velocities, m/s.
-    template <class S>
-    double greatest_speed(const S& s) const {
-        const Real* v = s.field(velocity);
-        const auto block = [&](int begin, int end) {
-            double most2 = 0;
-            for (int i = begin; i < end; ++i) {
-                double v2 = 0;
-                for (std::size_t d = 0; d < dim; ++d)
-                    v2 += sq(static_cast<double>(v[d * s.stride() + static_cast<std::size_t>(i)]));
-                most2 = std::max(most2, v2);
+    /// The speeds and the mean velocity of a phase as it is now; what has no velocities rests.
+    template <class P, class List>
+    Motion velocities_of(const PhaseState<P, List, dim, Real>& s) const {
+        if constexpr (contains<Velocity, List>) {
+            const Real* v = s.field(velocity);
+            const auto block = [&](int begin, int end) {
+                double most2 = 0, relative2 = 0;
+                Motion found;
+                for (int i = begin; i < end; ++i) {
+                    double v2 = 0, r2 = 0;
+                    for (std::size_t d = 0; d < dim; ++d) {
+                        const auto now = static_cast<double>(v[d * s.stride() + static_cast<std::size_t>(i)]);
+                        v2 += sq(now);
+                        r2 += sq(now - this->frame[static_cast<int>(d)]);
+                        found.mean[d] += now;
+                    }
+                    most2 = std::max(most2, v2);
+                    relative2 = std::max(relative2, r2);
+                }
+                found.speed = std::sqrt(relative2);
+                found.fastest = std::sqrt(most2);
+                return found;
+            };
+            return motion_of_blocks(s.size(), this->threads, Callable<Motion(int, int)>(block));
+        } else {
+            Motion resting;
+            resting.speed = s.size() > 0 ? std::sqrt(squared_norm(this->frame)) : 0;
+            return resting;
+        }
+    }
+
+    /// Chooses the frame in which speeds are measured: that of the walls, at their mean velocity; that of particles
+    /// that are held, which rest; and where there are neither, that of the mean of all that moves. Once a step, so that
+    /// the speeds of all phases belong to one frame; what moves by itself is taken as it was after the last step.
+    void choose_frame() {
+        Vector<double, dim> of_walls{}, of_others{};
+        double walls = 0, others = 0;
+        bool held = false;
+        for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+            const Motion now = motion_now<P>();
+            for (int d = 0; d < dim; ++d)
+                (P::moves ? of_others : of_walls)[d] += s.size() * now.mean[static_cast<std::size_t>(d)];
+            (P::moves ? others : walls) += s.size();
+            if constexpr (contains<Mobility, typename Base::template FieldsOf<P>>)
+                held = held || std::find(s.field(mobility), s.field(mobility) + s.size(), Real(0)) !=
+                                   s.field(mobility) + s.size();
+        });
+        this->frame = Vector<double, dim>{};
+        if (!held && walls + others > 0)
+            for (int d = 0; d < dim; ++d) {
+                const double mean = walls > 0 ? of_walls[d] / walls : of_others[d] / others;
+                this->frame[d] = std::isfinite(mean) ? mean : 0;
             }
-            return most2;
-        };
-        return std::sqrt(greatest_of_blocks(s.size(), this->threads, Callable<double(int, int)>(block)));
     }
 
 private:
-    // A host may have changed the velocities of walls, which no term changes, since the last step.
-    void measure_walls() {
-        for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
-            if constexpr (!P::moves && contains<Velocity, typename Base::template FieldsOf<P>>)
-                this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)].speed = greatest_speed(s);
-        });
-    }
     template <class L, class C>
     static constexpr bool is_link_of =
         !L::reference &&

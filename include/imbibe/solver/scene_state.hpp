@@ -30,9 +30,12 @@ struct LinksOf<dim, TypeList<N...>> {
                                          TypeList<Link<typename N::A, typename N::B, N::reference>>, TypeList<>>...>>;
 };
 
-/// How fast a phase moves: the greatest speed, m/s, and the greatest acceleration, m/s^2.
+/// How fast a phase moves.
 struct Motion {
-    double speed = 0, acceleration = 0;
+    double speed = 0;             ///< the greatest speed in the scene's frame (SceneState::frame), m/s
+    double acceleration = 0;      ///< the greatest acceleration, m/s^2
+    double fastest = 0;           ///< the greatest of the velocities as they are, m/s
+    std::array<double, 3> mean{}; ///< of the velocities, m/s
 };
 
 /// @tparam Scene a Composition
@@ -49,6 +52,9 @@ public:
     using Links = typename LinksOf<dim, typename Scene::Nodes>::type;
 
     Vector<double, dim> gravity{};
+    /// The velocity of the frame in which speeds are measured, m/s: what limits a step is how fast particles move
+    /// against each other, not how fast all move together. See Neighbourhood::choose_frame.
+    Vector<double, dim> frame{};
     search::Periodic<dim> periodic;
     int threads = 1;
 
@@ -140,6 +146,7 @@ public:
     template <class Archive>
     void archive_motion(Archive& a) {
         a(motions);
+        a(frame);
         for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
             a(s.bounds.lower);
             a(s.bounds.upper);

@@ -117,8 +117,12 @@ public:
     template <class Origin>
     void look_after_step(const Engine& engine, const Origin& origin, double time, double seconds, Warnings& warnings) {
         if constexpr (anyone_may_meet) {
-            meetings_.approach(2 * greatest_speed(engine) * seconds);
-            if (++steps_ % 10 == 0 && meetings_.is_due())
+            since_look_ += seconds;
+            if (++steps_ % 10 != 0)
+                return;
+            meetings_.approach(3 * greatest_speed(engine) * since_look_); // two move, and were faster perhaps
+            since_look_ = 0;
+            if (meetings_.is_due())
                 note_meetings(outline_of(engine, origin), time, warnings);
         }
     }
@@ -127,6 +131,7 @@ private:
     Meetings meetings_;
     std::vector<Meeting> met_;
     long long steps_ = 0;
+    double since_look_ = 0; // s
     // By phase: how many of its particles, of all that were ever added, were looked for crowding, and was any found?
     std::array<std::pair<long long, bool>, static_cast<std::size_t>(Engine::Phases::size)> crowding_{};
 
@@ -151,7 +156,7 @@ private:
         double most = 0;
         engine.for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
             if (s.size() > 0)
-                most = std::max(most, State::template stores<Velocity> ? engine.template motion<P>().speed
+                most = std::max(most, State::template stores<Velocity> ? engine.template motion_now<P>().fastest
                                                                        : std::numeric_limits<double>::infinity());
         });
         return most;

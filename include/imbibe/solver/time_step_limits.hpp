@@ -96,12 +96,13 @@ private:
     }
     template <class P>
     TimeStepInput input_of() const {
-        const auto& motion = engine_.template motion<P>();
+        const auto motion = engine_.template motion_now<P>();
         return {.support_radius = material<P>().support_radius,
                 .spacing = material<P>().spacing,
-                .max_speed = engine_.template speed_now<P>(),
+                .max_speed = motion.speed,
                 .max_acceleration = motion.acceleration,
-                .dimension = Engine::dimension};
+                .dimension = Engine::dimension,
+                .fastest = motion.fastest};
     }
     template <class P, class... Term>
     void add_terms_of_phase(TypeList<Term...>) {

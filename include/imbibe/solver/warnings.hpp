@@ -6,6 +6,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
 #include <imbibe/geometry/point.hpp>
+#include <imbibe/solver/closed_fluid.hpp>
 #include <imbibe/solver/layout_checks.hpp>
 
 #include <algorithm>
@@ -282,6 +283,7 @@ void note_doubts_of_scene(Warnings& warnings, const Engine& engine, const Origin
         if (a.size() == 0)
             warnings.note(text(type_name<A>(), " has no particles; was scene.add forgotten?"));
         warnings.note(warning_of_soft_fluid<A>(engine, a, scene));
+        warnings.note(warning_of_no_shifting<A>(engine));
         if (a.kind == Kind::solid)
             warnings.note(warning_of_one_layer(a, scene));
     };
