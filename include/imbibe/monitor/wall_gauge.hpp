@@ -14,7 +14,8 @@
 namespace imbibe {
 
 /// A patch of the surface of a wall: a rectangle across one axis, in 2D a stretch of line.
-/// `WallPatch<2>{{1.6, 0}, {1.6, 0.05}, Sides::x_high}` is the lowest 50 mm of the wall at the end of a tank 1.6 m long.
+/// `WallPatch<2>{{1.6, 0}, {1.6, 0.05}, Sides::x_high}` is the lowest 50 mm of the wall at the end of a tank 1.6 m
+/// long.
 template <int dim>
 struct WallPatch {
     /// Two corners of the rectangle, m: the smaller coordinates and the greater ones. Along the axis across the wall
@@ -76,13 +77,13 @@ void for_each_offset(const Scene& scene, const View& view, const Point<Scene::di
 ///
 /// over the particles at most a support behind the plane of the patch. w_a is that share of the particle's own square,
 /// a spacing wide, which the patch covers: so the patch need not fit the particles, and patches side by side have the
-/// pressures whose forces add up to that on the wall, to the last of it. Where the wall meets another one, as at the foot
-/// of a tank, the water pushes also on what lies beyond the edge, behind both walls: that is counted as if it were
+/// pressures whose forces add up to that on the wall, to the last of it. Where the wall meets another one, as at the
+/// foot of a tank, the water pushes also on what lies beyond the edge, behind both walls: that is counted as if it were
 /// mirrored at the edge, where it is missing.
 ///
 /// It is what a pressure sensor measures, which is also a patch, and in an impact it is the pressure to go by. Water
-/// that is thinner than the support shows its own pressure all around (`value_at`, PressureExtrapolation), but pushes on
-/// little of the wall; only the force knows.
+/// that is thinner than the support shows its own pressure all around (`value_at`, PressureExtrapolation), but pushes
+/// on little of the wall; only the force knows.
 ///
 /// The coupling lists ReactionForce of what pushes: `Into<Tank, ReactionForce<VolumePressure<K>>>`. The force is as it
 /// was where the last step began, and 0 before the first one. A support is about how sharp it sees: patches narrower
@@ -96,7 +97,8 @@ void for_each_offset(const Scene& scene, const View& view, const Point<Scene::di
 /// another one, as a box on the floor, that too
 /// @throws Error for a patch that is no rectangle, and where less than half of the patch has a wall behind it
 ///
-/// Source: the definition; that the force of the pairs is that of the pressure on the surface, Adami, Hu and Adams (2012).
+/// Source: the definition; that the force of the pairs is that of the pressure on the surface, Adami, Hu and Adams
+/// (2012).
 template <class Scene, class... Wall>
 double patch_pressure(const Scene& scene, const WallPatch<Scene::dimension>& patch, PhaseHandle<Wall>... walls) {
     static_assert(sizeof...(Wall) > 0, "imbibe: patch_pressure(scene, patch, wall): which phase is the wall?");
@@ -179,8 +181,8 @@ double patch_pressure(const Scene& scene, const WallPatch<Scene::dimension>& pat
 /// whatever the window. That is the response of a sensor that integrates: it follows what is slower than the window,
 /// and shows sound and blows of length t < window lower by t/window. Weakly compressible water rings with
 /// the sound of the scene, not with that of water, and the shorter the window the more of the reading is that: a window
-/// of some 5 times the depth over the sound speed of the scene is long enough to see the flow. A record that was made with a
-/// sampling rate f is comparable with a window of 1/f at the least.
+/// of some 5 times the depth over the sound speed of the scene is long enough to see the flow. A record that was made
+/// with a sampling rate f is comparable with a window of 1/f at the least.
 template <int dim>
 class WallGauge {
 public:
@@ -210,8 +212,8 @@ public:
         // The window begins within the first one of the steps that are left, or before it.
         const Sum &first = past_[0], &second = past_[1];
         const double begin = std::max(now - window_, first.time);
-        const double before = first.impulse + (second.impulse - first.impulse) * (begin - first.time) /
-                                                  (second.time - first.time);
+        const double before =
+            first.impulse + (second.impulse - first.impulse) * (begin - first.time) / (second.time - first.time);
         return shown_ = (past_.back().impulse - before) / (now - begin);
     }
 
