@@ -156,8 +156,10 @@ TEST_CASE("a force that is known, particle by particle", "[monitor]") {
     push(1.05, -0.15, 5); // behind the corner: mirrored to a height of 0.15
     CHECK(pressure(0.1, 0.2) == Approx(5 / 0.1));
     CHECK(pressure(0, 0.1) == Approx(0).margin(1e-9));
+    push(1.05, -0.25, 7); // to one of 0.25, also into a patch that does not reach down to the floor
+    CHECK(pressure(0.2, 0.3) == Approx(7 / 0.1));
     push(0.85, -0.05, 100); // the floor before the wall: not the wall's
-    CHECK(pressure(0, 1.2) == Approx(17 / 1.2));
+    CHECK(pressure(0, 1.2) == Approx(24 / 1.2));
 
     // A block on the floor is another phase than the floor: both, or what lies under the block is missing.
     const auto block = scene.add(Block{{.density = 1000}}, sph::fill(sph::Box<2>{{0.4, 0}, {0.7, 0.3}}, dx), dx);

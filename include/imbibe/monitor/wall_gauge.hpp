@@ -6,10 +6,11 @@
 #include <imbibe/wall/reaction_force.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace imbibe {
 
@@ -58,18 +59,6 @@ struct WallPatch {
     }
 };
 
-namespace detail {
-
-// Calls f(i, off) for the particles of a phase, off being the way from a place to the nearest image of each, m.
-template <class Scene, class View, class F>
-void for_each_offset(const Scene& scene, const View& view, const Point<Scene::dimension>& place, const F& f) {
-    const auto x = view[position];
-    for (int i = 0; i < view.size(); ++i)
-        f(i, offset_from(place, x.row(i), scene));
-}
-
-} // namespace detail
-
 /// The pressure on a patch of wall, Pa: the force of the water on the wall's particles behind the patch, along the
 /// normal, over the area of the patch; positive where the water presses. `patch_pressure(scene, patch, tank)`.
 ///
@@ -109,66 +98,84 @@ double patch_pressure(const Scene& scene, const WallPatch<Scene::dimension>& pat
     const double outwards = includes(patch.side, across, 1) ? 1 : -1; // along the axis, into the wall
     const Point<dim> middle = 0.5 * (patch.lower + patch.upper), half = 0.5 * (patch.upper - patch.lower);
 
-    // Where other walls begin, from the middle, m: those whose particles lie before the patch's plane, next to it. Only
-    // such matter as end the patch, or lie less than a support beside it.
-    Point<dim> least = Point<dim>::Constant(-infinity), greatest = Point<dim>::Constant(infinity);
-    const auto look_for_edges = [&](const auto& view) {
-        const double spacing = view.material().spacing;
-        detail::for_each_offset(scene, view, middle, [&](int, const Point<dim>& off) {
-            if (const double before = -outwards * off[across]; !(before > 0 && before < spacing))
-                return;
-            for (int d = 0; d < dim; ++d) {
-                if (d == across)
-                    continue;
-                bool beside = true; // along the other axis, if there is one, it is where the patch is
-                for (int other = 0; other < dim; ++other)
-                    beside = beside && (other == d || other == across || std::abs(off[other]) < half[other]);
-                if (beside && off[d] < 0)
-                    least[d] = std::max(least[d], off[d] + 0.5 * spacing);
-                else if (beside)
-                    greatest[d] = std::min(greatest[d], off[d] - 0.5 * spacing);
-            }
-        });
+    // What lies less than a support from the plane of the patch, and beside it by no more than what may be mirrored
+    // into it.
+    struct Near {
+        Point<dim> offset;             // from the middle of the patch, m
+        double behind, spacing, force; // m and m; N along the normal
     };
-    (look_for_edges(scene[walls]), ...);
-
-    double force = 0, covered = 0, nearest2 = infinity;
-    Point<dim> nearest = Point<dim>::Zero();
-    const auto add_up = [&](const auto& view) {
-        const double spacing = view.material().spacing, reach = view.material().support_radius;
+    std::vector<Near> around;
+    const auto collect = [&](const auto& view) {
+        const auto x = view[position];
         const auto pushed = view[reaction_force];
-        detail::for_each_offset(scene, view, middle, [&](int i, const Point<dim>& off) {
-            if (off.squaredNorm() < nearest2) {
-                nearest2 = off.squaredNorm();
-                nearest = middle + off;
-            }
-            const double behind = outwards * off[across];
-            if (!(behind > 0 && behind < reach))
-                return;
-            double share = 1;
-            bool mirrored = false;
-            for (int d = 0; d < dim; ++d) {
-                if (d == across)
-                    continue;
-                double at = off[d];
-                if (at < least[d] || at > greatest[d]) {
-                    at = 2 * (at < least[d] ? least[d] : greatest[d]) - at;
-                    mirrored = true;
-                }
-                const double from = std::max(at - 0.5 * spacing, -half[d]), to = std::min(at + 0.5 * spacing, half[d]);
-                share *= std::max(to - from, 0.0) / spacing;
-            }
-            force += share * outwards * static_cast<double>(pushed(i, across));
-            if (!mirrored && behind < spacing)
-                covered += share * power<dim - 1>(spacing);
-        });
+        const double reach = std::max<double>(view.material().support_radius, scene.settings().support_radius);
+        for (int i = 0; i < view.size(); ++i) {
+            const Point<dim> off = detail::offset_from(middle, x.row(i), scene);
+            if (std::abs(off[across]) < reach && ((off.cwiseAbs() - half).array() < 2 * reach).all())
+                around.push_back({off, outwards * off[across], view.material().spacing,
+                                  outwards * static_cast<double>(pushed(i, across))});
+        }
     };
-    (add_up(scene[walls]), ...);
-    require(covered >= 0.5 * patch.area(), "patch_pressure: the wall covers ", 100 * covered / patch.area(),
-            " % of the patch from ", point_text<dim>(patch.lower), " to ", point_text<dim>(patch.upper),
-            ", with a particle less than a spacing behind it; the nearest particle of the wall is at ",
-            point_text<dim>(nearest), ". At least half must be covered: put the patch on the wall's surface, half a ",
-            "spacing before its first particles, and name the side on which the wall is, as seen from the water.");
+    (collect(scene[walls]), ...);
+
+    // Where other walls begin, from the middle, m: those whose particles lie before the patch's plane, next to it.
+    Point<dim> least = Point<dim>::Constant(-infinity), greatest = Point<dim>::Constant(infinity);
+    for (const Near& a : around) {
+        const double before = -a.behind;
+        for (int d = 0; d < dim; ++d) {
+            if (d == across || !(before > 0) || before >= a.spacing)
+                continue;
+            bool beside = true; // along the other axis, if there is one, it is where the patch is
+            for (int other = 0; other < dim; ++other)
+                beside = beside && (other == d || other == across || std::abs(a.offset[other]) < half[other]);
+            if (beside && a.offset[d] < 0)
+                least[d] = std::max(least[d], a.offset[d] + 0.5 * a.spacing);
+            else if (beside)
+                greatest[d] = std::min(greatest[d], a.offset[d] - 0.5 * a.spacing);
+        }
+    }
+
+    double force = 0, covered = 0;
+    for (const Near& a : around) {
+        if (!(a.behind > 0))
+            continue;
+        double share = 1;
+        bool mirrored = false;
+        for (int d = 0; d < dim; ++d) {
+            if (d == across)
+                continue;
+            double at = a.offset[d];
+            if (at < least[d] || at > greatest[d]) {
+                at = 2 * (at < least[d] ? least[d] : greatest[d]) - at;
+                mirrored = true;
+            }
+            const double from = std::max(at - 0.5 * a.spacing, -half[d]), to = std::min(at + 0.5 * a.spacing, half[d]);
+            share *= std::max(to - from, 0.0) / a.spacing;
+        }
+        force += share * a.force;
+        if (!mirrored && a.behind < a.spacing)
+            covered += share * power<dim - 1>(a.spacing);
+    }
+    if (covered < 0.5 * patch.area()) {
+        double least2 = infinity;
+        Point<dim> nearest = middle;
+        const auto look_for_nearest = [&](const auto& view) {
+            const auto x = view[position];
+            for (int i = 0; i < view.size(); ++i)
+                if (const Point<dim> off = detail::offset_from(middle, x.row(i), scene); off.squaredNorm() < least2) {
+                    least2 = off.squaredNorm();
+                    nearest = middle + off;
+                }
+        };
+        (look_for_nearest(scene[walls]), ...);
+        throw Error(text("patch_pressure: the wall covers ", 100 * covered / patch.area(), " % of the patch from ",
+                         point_text<dim>(patch.lower), " to ", point_text<dim>(patch.upper),
+                         ", with particles less than a spacing behind it; ",
+                         std::isfinite(least2) ? "the nearest particle of the wall is at " + point_text<dim>(nearest)
+                                               : std::string("the wall has no particles"),
+                         ". At least half must be covered: put the patch on the wall's surface, half a spacing before ",
+                         "its first particles, and name the side on which the wall is, as seen from the water."));
+    }
     return force / patch.area();
 }
 
@@ -179,10 +186,10 @@ double patch_pressure(const Scene& scene, const WallPatch<Scene::dimension>& pat
 ///
 /// It is to be called after every step; each step counts with its length, so that the impulse of a blow is kept
 /// whatever the window. That is the response of a sensor that integrates: it follows what is slower than the window,
-/// and shows sound and blows of length t < window lower by t/window. Weakly compressible water rings with
-/// the sound of the scene, not with that of water, and the shorter the window the more of the reading is that: a window
-/// of some 5 times the depth over the sound speed of the scene is long enough to see the flow. A record that was made
-/// with a sampling rate f is comparable with a window of 1/f at the least.
+/// and shows sound, and blows of length t < window lower by t/window. Weakly compressible water rings with the sound
+/// speed of the scene, not with that of water, and the shorter the window the more of the reading is that ringing:
+/// sound runs up and down a depth h in 4 h/c, and a window of a few times that leaves the flow. A record that was
+/// sampled at a rate f is comparable with a window of 1/f at the least.
 template <int dim>
 class WallGauge {
 public:
