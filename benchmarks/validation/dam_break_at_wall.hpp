@@ -7,9 +7,9 @@
 // - floor that slips: De Courcy, Rendall, Constantin, Titurus and Cooper (2024), another particle method in 2D,
 //   incompressible, at the sensors of Lobovsky et al., 3, 15, 30 and 80 mm above the floor: 1.025, 0.951, 0.841, 0.341
 //   (their curves, as the repository trixi-framework/TrixiParticles.jl has them digitised);
-// - water in a tank: Buchner's sensor of 90 mm, as digitised there: 0.549. Its middle was 160 mm above the floor; after
-//   Greco (2001) computations with the sensor's upper edge there agree better, here and in Marrone et al. (2011), who
-//   say that where it was is not known that well. Both are given.
+// - water in a tank: Buchner's sensor of 90 mm, as digitised there: 0.549. Its middle is said to have been 160 mm above
+//   the floor; Greco (2001) found that with its upper edge there computations agree better, and that the measurement is
+//   not that certain (after Adami, Hu and Adams 2012, who do the same). Both are given.
 // Scheme: Wendland C2 of 3 spacings, density diffusion and floor, MonaghanViscosity with alpha = 0.02 and beta = 1,
 // walls that do not pull. Sound is ten times sqrt(2 g H). The floor that sticks: water's own layer is turbulent, Re = U
 // x/nu = 2.1e6 where U = 2.1 m/s has run x = 1 m, and far thinner than a spacing. In its place is a laminar one with
