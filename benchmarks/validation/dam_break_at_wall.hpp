@@ -10,11 +10,15 @@
 // - water in a tank: Buchner's sensor of 90 mm, as digitised there: 0.549. Its middle is said to have been 160 mm above
 //   the floor; Greco (2001) found that with its upper edge there computations agree better, and that the measurement is
 //   not that certain (after Adami, Hu and Adams 2012, who do the same). Both are given.
+//
 // Scheme: Wendland C2 of 3 spacings, density diffusion and floor, MonaghanViscosity with alpha = 0.02 and beta = 1,
-// walls that do not pull. Sound is ten times sqrt(2 g H). The floor that sticks: water's own layer is turbulent, Re = U
-// x/nu = 2.1e6 where U = 2.1 m/s has run x = 1 m, and far thinner than a spacing. In its place is a laminar one with
-// the same drag on a plate of this length, 1.328 sqrt(eta/(rho U x)) = 0.074 Re^(-1/5), which gives eta = 0.0193 Pa s;
-// 0.02 is taken. It is some 15 mm thick. Measure: a WallGauge as large as the sensor, over 0.05 sqrt(H/g).
+// walls that do not pull. Sound is ten times sqrt(2 g H).
+//
+// The floor that sticks: water's own layer is turbulent, Re = U x/nu = 2.1e6 where U = 2.1 m/s has run x = 1 m, and far
+// thinner than a spacing. In its place is a laminar one with the same drag on a plate of this length, 1.328
+// sqrt(eta/(rho U x)) = 0.074 Re^(-1/5), which gives eta = 0.0193 Pa s; 0.02 is taken. It is some 15 mm thick.
+//
+// Measure: a WallGauge as large as the sensor, over 0.05 sqrt(H/g).
 #pragma once
 
 #include "case.hpp"
