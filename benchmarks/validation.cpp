@@ -7,6 +7,7 @@
 #include "validation/cavity.hpp"
 #include "validation/consolidation.hpp"
 #include "validation/cylinders.hpp"
+#include "validation/dam_break_at_wall.hpp"
 #include "validation/dam_break_on_box.hpp"
 #include "validation/duct.hpp"
 #include "validation/elastic_baffle.hpp"
@@ -59,6 +60,7 @@ int main(int argc, char** argv) {
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
         {"turek-hron", "particles over the thickness", {4, 6, 10, 20}, turek_hron::measure},
         {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure},
+        {"dam-break-at-wall", "particles over the depth", {40, 80}, dam_break_at_wall::measure},
         {"dam-break-on-box", "particles over the box's height", {8, 12}, dam_break_on_box::measure},
         {"stiff-plate", "particles over the plate's thickness", {5, 10}, stiff_plate::measure},
         {"soft-plate", "particles over the plate's thickness", {5, 10}, soft_plate::measure},

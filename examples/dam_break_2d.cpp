@@ -47,6 +47,15 @@ int main(int, char** argv) {
             const double front = scene[column][sph::position].col(0).maxCoeff() + dx / 2;
             std::printf("%5.3f    %5.3f       %5.3f  %+.0f %%\n", T, front / L, Z, 100 * (front / L / Z - 1));
         }
+
+        // What the wall has turned upwards a little later: how much of the water has the energy to rise so high.
+        scene.run_until(0.35, snapshots);
+        const auto x = scene[column][sph::position], v = scene[column][sph::velocity];
+        for (const double heights : {1.5, 2.0, 2.5, 3.2}) {
+            const auto rises = (v.rowwise().squaredNorm().array() / (2 * g) + x.col(1).array()) > heights * 2 * L;
+            std::printf("%.2f %% of the water can rise above %.1f heights of the column\n",
+                        100.0 * static_cast<double>(rises.count()) / scene[column].size(), heights);
+        }
         scene.run_until(end, sph::Progress(end, false), snapshots);
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "dam_break_2d: %s\n", error.what());

@@ -6,8 +6,7 @@
 // m from the water's. P1 is 0.021 m above the floor, in the middle.
 // Scheme: that of the README's dam break in float: Wendland C2 of 2.6 spacings, density diffusion and floor,
 // MonaghanViscosity with alpha = 0.02 and beta = 1, walls that do not pull. Sound is ten times sqrt(2 g depth).
-// Measure: the force on the part of the front below 0.042 m, or two rows of particles, and within 0.06 m of the middle,
-// over its area; with what the water at its foot does to the floor's particles underneath. (The pressure that the
+// Measure: a WallGauge on the part of the front below 0.042 m and within 0.06 m of the middle. (The pressure that the
 // walls continue from the water is higher while the front of the wave is thinner than the support: it is shown all
 // around.) What strikes sets the water before the box ringing with some 100 Hz, twice as high as the experiment's peak;
 // so the highest mean over 20 ms is taken, and when the pressure first comes to 1 kPa.
@@ -16,9 +15,9 @@
 #include "case.hpp"
 #include "hydroelastic.hpp"
 
-#include <imbibe/wall/reaction_force.hpp>
+#include <imbibe/monitor/wall_gauge.hpp>
 
-#include <deque>
+#include <algorithm>
 
 namespace validation::dam_break_on_box {
 
@@ -53,30 +52,12 @@ inline Blow strike(int across) {
         Box{{.density = 1000}},
         sph::fill(sph::Box<3>{{front, 0.5 - 0.403 / 2, 0}, {front + box_height, 0.5 + 0.403 / 2, box_height}}, dx), dx);
 
-    const double high = std::max(2.0, std::round(0.042 / dx)) * dx, wide = 2 * std::floor(0.06 / dx + 0.5) * dx;
-    // The force along x on what lies behind the front, within half the width and below the height of that part of it.
-    const auto push_on = [&](const auto& body) {
-        const auto x = body[sph::position];
-        const auto force = body[sph::reaction_force];
-        double sum = 0;
-        for (int i = 0; i < body.size(); ++i)
-            if (x(i, 0) > front && x(i, 0) < front + box_height / 2 && std::abs(x(i, 1) - 0.5) < wide / 2 &&
-                x(i, 2) < high)
-                sum += force(i, 0);
-        return sum;
-    };
+    const sph::WallPatch<3> sensor{{front, 0.44, 0}, {front, 0.56, 0.042}, sph::Sides::x_high};
+    sph::WallGauge<3> gauge(sensor, 20e-3);
     Blow blow{0, 0};
-    std::deque<std::pair<double, double>> window; // times and pressures of the last 20 ms
     scene.run_until(0.6, [&](const Basin& s) {
-        const double pressure = (push_on(s[box]) + push_on(s[tank])) / (high * wide);
-        window.emplace_back(s.time(), pressure);
-        while (window.front().first < s.time() - 20e-3)
-            window.pop_front();
-        double mean = 0;
-        for (const auto& sample : window)
-            mean += sample.second / static_cast<double>(window.size());
-        blow.pressure = std::max(blow.pressure, mean);
-        if (blow.arrival == 0 && pressure > 1000)
+        blow.pressure = std::max(blow.pressure, gauge(s, box, tank));
+        if (blow.arrival == 0 && sph::patch_pressure(s, sensor, box, tank) > 1000)
             blow.arrival = s.time();
     });
     return blow;

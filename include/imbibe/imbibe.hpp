@@ -46,6 +46,7 @@
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/monitor/surface_height.hpp>
 #include <imbibe/monitor/value_at.hpp>
+#include <imbibe/monitor/wall_gauge.hpp>
 #include <imbibe/output/recover.hpp>
 #include <imbibe/output/snapshots.hpp>
 #include <imbibe/output/table.hpp>

@@ -41,6 +41,11 @@ Point<Scene::dimension> offset_from(const Point<Scene::dimension>& place, const 
 /// around it by at most what these differ by; and where the particles lie on a line or there are too few for a slope,
 /// it is the mean (Shepard 1968).
 ///
+/// Not for the pressure on a wall that is struck. It is the pressure within the water that is near, also where that is
+/// a drop or a tongue thinner than the support, which bears on little of the wall, and in the first blow that is many
+/// times what the wall bears. There, `patch_pressure` or a `WallGauge` (monitor/wall_gauge.hpp): the force on a patch
+/// of the wall over its area.
+///
 /// It looks at every particle of the phase: for some gauges in every tenth step, not for pictures. What a step
 /// computes, as the pressure, is 0 before the first one.
 ///
