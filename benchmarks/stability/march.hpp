@@ -100,6 +100,8 @@ inline const char* name_of(sph::Cause cause) {
         return "narrow pore";
     case sph::Cause::energy:
         return "energy from nowhere";
+    case sph::Cause::met:
+        return "met without a coupling";
     }
     return "?";
 }

@@ -28,7 +28,7 @@ inline std::string exact_text(double value) {
 struct AnyNumber {
     template <class T>
     requires std::is_arithmetic_v<T>
-    constexpr operator T() const;
+    constexpr operator T() const { return T(); }
 };
 template <std::size_t>
 using AnyNumberAt = AnyNumber;

@@ -158,11 +158,11 @@ private:
     static void for_each_pair(const Outline& a, const Outline& b, double reach, const OutlineOfScene& scene,
                               const F& f) {
         const auto those_near = [&](const Outline& one, const OutlineBox& box) {
-            std::vector<int> near;
+            std::vector<int> nearby;
             for (int i = 0; i < one.size(); ++i)
                 if (box.is_near(one.now.at(i), reach, scene.period))
-                    near.push_back(i);
-            return near;
+                    nearby.push_back(i);
+            return nearby;
         };
         const std::vector<int> of_a = those_near(a, box_around(b.now));
         if (of_a.empty())
@@ -175,9 +175,9 @@ private:
         for (const int j : of_b)
             places.push_back(b.now.at(j));
         const PlacesByCell cells(places, reach, scene);
-        PlacesByCell::Lookup near(cells);
+        PlacesByCell::Lookup nearby(cells);
         for (const int i : of_a)
-            near.for_each_near(a.now.at(i), [&](int k, const Coordinates&, double distance) {
+            nearby.for_each_near(a.now.at(i), [&](int k, const Coordinates&, double distance) {
                 f(i, of_b[static_cast<std::size_t>(k)], distance);
             });
     }

@@ -250,14 +250,14 @@ private:
         Real* v = s.field(velocity);
         const Real* a = s.field(acceleration);
         const std::size_t stride = s.stride();
-        Real frame[dim];
+        Real of_frame[static_cast<std::size_t>(dim)];
         for (int d = 0; d < dim; ++d)
-            frame[d] = static_cast<Real>(this->frame[d]);
+            of_frame[d] = static_cast<Real>(this->frame[d]);
         std::conditional_t<contains<SupportedShare, List>, Support<dim, Real>, NoSupport> support;
         if constexpr (contains<SupportedShare, List>)
             support = {this->gravity, dt * s.material.sound_speed / s.material.support_radius};
         const auto block = [&](int begin, int end) {
-            Real speed2 = 0, acceleration2 = 0, fastest2 = 0, sum[dim]{};
+            Real speed2 = 0, acceleration2 = 0, fastest2 = 0, sum[static_cast<std::size_t>(dim)]{};
             for (int i = begin; i < end; ++i) {
                 Real free = 1, v2 = 0, relative2 = 0, a2 = 0, borne = 0;
                 if constexpr (contains<Mobility, List>)
@@ -266,7 +266,7 @@ private:
                     const std::size_t k = d * stride + static_cast<std::size_t>(i);
                     v[k] = old[k] + by * free * a[k];
                     v2 += v[k] * v[k];
-                    relative2 += sq(v[k] - frame[d]);
+                    relative2 += sq(v[k] - of_frame[d]);
                     sum[d] += v[k];
                     a2 += free * a[k] * a[k];
                     borne += support.along(d, free * a[k]);

@@ -239,7 +239,7 @@ inline std::vector<int> bodies_of(const OutlineColumns& columns, double reach, c
     for (int i = 0; i < columns.n; ++i)
         places.push_back(columns.at(i));
     const PlacesByCell cells(places, reach, scene);
-    PlacesByCell::Lookup near(cells);
+    PlacesByCell::Lookup nearby(cells);
     std::vector<int> number(places.size(), -1), ahead;
     int bodies = 0;
     const auto join = [&](int j, const Coordinates&, double) {
@@ -255,7 +255,7 @@ inline std::vector<int> bodies_of(const OutlineColumns& columns, double reach, c
         while (!ahead.empty()) {
             const int i = ahead.back();
             ahead.pop_back();
-            near.for_each_near(places[static_cast<std::size_t>(i)], join);
+            nearby.for_each_near(places[static_cast<std::size_t>(i)], join);
         }
         ++bodies;
     }
