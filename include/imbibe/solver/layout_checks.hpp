@@ -194,7 +194,8 @@ inline std::string warning_of_thin_wall(const Outline& wall, const Outline& flui
 /// 1.04, and all that can at 0.65.)
 inline std::string warning_of_wide_spacing(const Outline& a, const Outline& b, double reach) {
     const auto &wide = a.spacing < b.spacing ? b : a, &fine = a.spacing < b.spacing ? a : b;
-    if (reach >= 1.3 * wide.spacing * (1 - 1e-9))
+    const double least = 1.3 * wide.spacing * (1 - 1e-9);
+    if (reach >= least || wide.support_radius < least) // that is said of the phase itself
         return {};
     return text(fine.name, " and ", wide.name, " see each other over ", reach, " m, ", reach / wide.spacing,
                 " spacings of ", wide.name, " (", wide.spacing, " m): ", fine.name,
