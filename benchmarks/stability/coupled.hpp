@@ -199,7 +199,8 @@ Outcome block_on_pool(const Plan& plan) {
     double before = 0, push = 0, change = 0; // momentum, its rate, the change of the rate
     double time = 0;
     int flips = 0, looks = 0;
-    const double end = 3 * unit;
+    // A heavy one is watched until it would lie on the floor if it fell freely: nothing acts between it and the tank.
+    const double end = (plan.value > 2 ? std::sqrt(2.0) : 3) * unit;
     const double c_body = scene[block].material().longitudinal_wave_speed();
     const Watch<dim> watch{.end = end,
                          .guard = {},
