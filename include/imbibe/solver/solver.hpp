@@ -152,6 +152,7 @@ public:
         S& state;
         /// Looks at the particles of `where`.
         explicit PhaseView(S& where) : state(where) {}
+        /// Looks where another view looks.
         PhaseView(const PhaseView&) = default;
         /// Looks where `other` looks: `view = scene[water]`. Copies no numbers; a view of a field copies them.
         PhaseView& operator=(const PhaseView& other) {
