@@ -161,13 +161,13 @@ inline std::string warning_of_one_layer(const Outline& solid, const OutlineOfSce
         return {};
     return text(
         solid.name, ": ", thin.number, " of ", solid.size(), " particles lie in parts that are one particle thick, ",
-        "such as at ", scene.text_of(thin.place), ". Such a part has no stiffness in bending of ",
-        "its own; a beam bent 25 to 40 times too little was seen. Give it at least 2 layers, with ",
+        "such as at ", scene.text_of(thin.place), ". Nothing but hourglass control or ",
+        "artificial stress resists its bending, which is many times too stiff or none at all. Give it at least 2 layers, with ",
         "bending_modulus(), better 4: a spacing of ", solid.spacing / 4, " m for what is ", solid.spacing, " m thick");
 }
 
-/// How many layers a wall or solid needs against a fluid whose sums reach `reach`, m, over it: half the reach. (Water
-/// of 0.3 m goes through 0.38 of its reach, and stands on 0.5.)
+/// How many layers a wall or solid needs against a fluid whose sums reach `reach`, m, over it: half the reach,
+/// above which no water was seen to pass.
 inline int layers_needed(double reach, double spacing) {
     return static_cast<int>(std::ceil(0.5 * reach / spacing * (1 - 1e-9)));
 }
@@ -190,8 +190,7 @@ inline std::string warning_of_thin_wall(const Outline& wall, const Outline& flui
 }
 
 /// A sentence if a coupling reaches less than 1.3 spacings of one of its phases, or an empty one: the other phase finds
-/// gaps between its particles. (Water over a solid of wider spacing: nothing passes at 1.3, 37 of 1440 particles at
-/// 1.04, and all that can at 0.65.)
+/// gaps between its particles.
 inline std::string warning_of_wide_spacing(const Outline& a, const Outline& b, double reach) {
     const auto &wide = a.spacing < b.spacing ? b : a, &fine = a.spacing < b.spacing ? a : b;
     const double least = 1.3 * wide.spacing * (1 - 1e-9);
