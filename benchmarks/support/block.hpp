@@ -42,7 +42,8 @@ using Block = typename Solver<3, Real, SymplecticEuler, Phase>::Engine;
 /// The mean number of neighbours in an engine's first list of neighbours.
 double neighbours_in(const auto& engine) {
     double mean = 0;
-    engine.for_each_link([&](const auto& link) { mean = mean > 0 ? mean : engine.mean_neighbours(link); });
+    for (const auto& link : engine.links)
+        mean = mean > 0 ? mean : engine.mean_neighbours(link);
     return mean;
 }
 

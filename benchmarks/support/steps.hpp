@@ -64,8 +64,8 @@ void steps(benchmark::State& state, Make make) {
     state.counters["bytes"] = static_cast<double>(scene.engine().particle_bytes()) / n;
     state.counters["list_bytes"] = static_cast<double>(scene.engine().list_bytes()) / n;
     double neighbours = 0;
-    scene.engine().for_each_link(
-        [&](const auto& link) { neighbours = neighbours > 0 ? neighbours : scene.engine().mean_neighbours(link); });
+    for (const auto& link : scene.engine().links)
+        neighbours = neighbours > 0 ? neighbours : scene.engine().mean_neighbours(link);
     state.counters["neighbours"] = neighbours;
 }
 

@@ -274,9 +274,9 @@ TEST_CASE("A view of a phase is assigned, a view of a field copies numbers", "[s
     CHECK(view[sph::velocity].data() == scene[handle][sph::velocity].data());
     const auto& same = view;
     view = same;
-    CHECK(&view.state == &scene.engine().state<Drop>());
+    CHECK(&view.state.store == &scene.engine().state<Drop>().store);
     view = other[other_handle];
-    CHECK(&view.state == &other.engine().state<Drop>());
+    CHECK(&view.state.store == &other.engine().state<Drop>().store);
     CHECK(view.size() == static_cast<int>(ball(0.1, 0.25).size()));
     CHECK(&view.material() == &other[other_handle].material());
     const DropScene& looking = scene;

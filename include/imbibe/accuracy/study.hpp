@@ -82,10 +82,8 @@ template <class Scene>
 double pair_evaluations(const Scene& scene) {
     double pairs = 0;
     const auto& engine = scene.engine();
-    engine.for_each_link([&]<class L>(const L& link) {
-        pairs += engine.mean_neighbours(link) * engine.template state<typename L::A>().size() *
-                 static_cast<double>(link.sweeps);
-    });
+    for (const auto& link : engine.links)
+        pairs += engine.mean_neighbours(link) * engine.phase(link.row.a).size() * static_cast<double>(link.sweeps);
     return pairs;
 }
 

@@ -64,7 +64,7 @@ private:
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto&) {
             look_at<P>(scene, scene[PhaseHandle<P>{}], name_of<P>(scene));
         });
-        scene.engine().for_each_link([&](const auto& link) { look_for_walls(scene, link); });
+        scene.engine().for_each_link([&](auto between, const auto& link) { look_for_walls(scene, between, link); });
         look_at_energy(scene);
         glance(scene);
         if (!scene.meetings().empty()) {
@@ -194,14 +194,13 @@ private:
     }
 
     // Is a particle that moves among those of a wall? The lists of neighbours are those of the last search.
-    template <class Scene, class Link>
-    void look_for_walls(const Scene& scene, const Link& link) const {
-        using A = typename Link::A;
-        using B = typename Link::B;
-        if constexpr (A::moves && !B::moves && !Link::reference) {
-            const auto& mover = scene.engine().template state<A>();
-            const auto& wall = scene.engine().template state<B>();
-            const double spacing = wall.material.spacing;
+    template <class Scene, class Between>
+    void look_for_walls(const Scene& scene, Between, const detail::Link& link) const {
+        using A = typename Between::A;
+        using B = typename Between::B;
+        if constexpr (A::moves && !B::moves && !Between::reference) {
+            const auto &mover = scene.engine().phase(link.row.a), &wall = scene.engine().phase(link.row.b);
+            const double spacing = wall.numbers().spacing;
             if (mover.disturbed || wall.disturbed || link.runs.is_empty() || link.support < 2 * spacing)
                 return;
             const auto pairs = scene.engine().pairs_of(link);
@@ -225,10 +224,10 @@ private:
 
     template <class Scene>
     void look_at_pores(const Scene& scene) const {
-        scene.engine().for_each_link([&]<class Link>(const Link&) {
-            using A = typename Link::A;
-            using B = typename Link::B;
-            if constexpr (detail::is_fluid<A> && !detail::is_fluid<B> && !Link::reference)
+        scene.engine().for_each_link([&]<class Between>(Between, const detail::Link&) {
+            using A = typename Between::A;
+            using B = typename Between::B;
+            if constexpr (detail::is_fluid<A> && !detail::is_fluid<B> && !Between::reference)
                 look_at_pores_of(scene, PhaseHandle<B>{}, scene[PhaseHandle<A>{}].material().spacing,
                                  name_of<A>(scene));
         });

@@ -49,10 +49,9 @@ class DisturbedScene {
 public:
     DisturbedScene(const Scene& scene, double size) : start_(scene), size_(size) {
         start_.prepare();
-        start_.engine().for_each_phase([&](auto, const auto& s) {
+        for (const Phase& s : start_.engine().phases)
             if (s.size() > 0)
-                spacing_ = std::min(spacing_, s.material.spacing);
-        });
+                spacing_ = std::min(spacing_, s.numbers().spacing);
     }
 
     /// The shortest limit that is known, or the longest step that the settings allow, s.
@@ -89,10 +88,7 @@ public:
     }
 
 private:
-    template <class P>
-    using State = typename Scene::template State<P>;
-    template <class P>
-    static constexpr std::size_t phase_index = Scene::Scene::template phase_index<P>;
+    using Phase = typename Scene::Engine::Phase;
 
     Scene start_, undisturbed_ = start_, disturbed_ = start_;
     double size_; // in spacings
@@ -102,59 +98,57 @@ private:
 
     // All velocities at random.
     void shake(double dt) {
-        start_.engine().for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
-            auto& numbers = disturbance_[phase_index<P>];
+        for (std::size_t k = 0; k < disturbance_.size(); ++k) {
+            const Phase& s = start_.engine().phases[k];
             const auto n = static_cast<std::size_t>(s.size());
-            numbers.assign(n * static_cast<std::size_t>(State<P>::component_total), 0.0);
-            if constexpr (P::moves)
-                for (std::size_t d = 0; d < Scene::dimension; ++d)
-                    for (std::size_t i = 0; i < n; ++i)
-                        numbers[(State<P>::template offset<Velocity> + d) * n + i] =
-                            size_ * spacing_ / dt * (2 * random_number(1, i, d) - 1);
-        });
+            disturbance_[k].assign(n * static_cast<std::size_t>(s.row->components), 0.0);
+            for (std::size_t d = 0; s.row->moves && d < Scene::dimension; ++d)
+                for (std::size_t i = 0; i < n; ++i)
+                    disturbance_[k][(static_cast<std::size_t>(s.row->velocity) + d) * n + i] =
+                        size_ * spacing_ / dt * (2 * random_number(1, i, d) - 1);
+        }
     }
     void disturb() {
-        disturbed_.engine().for_each_phase([&]<class P>(std::type_identity<P>, const State<P>&) {
-            State<P>& s = disturbed_[PhaseHandle<P>{}].state;
-            const double* by = disturbance_[phase_index<P>].data();
-            for (int k = 0; k < State<P>::component_total; ++k)
+        const auto disturb_phase = [&]<class P>(std::type_identity<P>) {
+            Phase& s = disturbed_[PhaseHandle<P>{}].state.store;
+            const double* by = disturbance_[Scene::Scene::template phase_index<P>].data();
+            for (int k = 0; k < s.row->components; ++k)
                 for (int i = 0; i < s.size(); ++i, ++by)
                     s.column(k)[i] = static_cast<typename Scene::Real>(static_cast<double>(s.column(k)[i]) + *by);
+            s.note_all_written();
             s.pad();
-        });
+        };
+        [&]<class... P>(TypeList<P...>) { (disturb_phase(std::type_identity<P>{}), ...); }(typename Scene::Phases{});
     }
     // The difference of the two scenes becomes the disturbance, as large as it was: the factor by which it has grown.
     double compare(double dt) {
         double greatest = 0;
-        start_.engine().for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
-            if (s.size() > 0)
-                greatest = std::max(greatest, subtract<P>(s, dt));
-        });
+        for (std::size_t k = 0; k < disturbance_.size(); ++k)
+            if (start_.engine().phases[k].size() > 0)
+                greatest = std::max(greatest, subtract(k, dt));
         const double grown = greatest / (size_ * spacing_);
         for (auto& numbers : disturbance_)
             for (double& number : numbers)
                 number /= grown;
         return grown;
     }
-    // The greatest way, or velocity times dt, by which a particle of the phase differs, m.
-    template <class P>
-    double subtract(const State<P>& start, double dt) {
-        const auto without = places_by_id<P>(undisturbed_), with = places_by_id<P>(disturbed_);
-        const State<P>& a = *without.state;
-        const State<P>& b = *with.state;
-        double* to = disturbance_[phase_index<P>].data();
+    // The greatest way, or velocity times dt, by which a particle of a phase differs, m.
+    double subtract(std::size_t phase, double dt) {
+        const Phase &start = start_.engine().phases[phase], &a = undisturbed_.engine().phases[phase],
+                    &b = disturbed_.engine().phases[phase];
+        const std::vector<int> place_in_a = places_by_id(a), place_in_b = places_by_id(b);
+        double* to = disturbance_[phase].data();
         double greatest = 0;
-        for (int k = 0; k < State<P>::component_total; ++k) {
-            const int axis = k - State<P>::template offset<Position>;
+        for (int k = 0; k < start.row->components; ++k) {
+            const int axis = k - start.row->position;
             const bool is_place = axis >= 0 && axis < Scene::dimension;
             const double period = is_place ? start_.settings().periodic_length[static_cast<std::size_t>(axis)] : 0.0;
             double unit = is_place ? 1 : 0; // what makes it a way
-            if constexpr (P::moves)
-                if (const int d = k - State<P>::template offset<Velocity>; d >= 0 && d < Scene::dimension)
-                    unit = dt;
+            if (const int d = k - start.row->velocity; start.row->moves && d >= 0 && d < Scene::dimension)
+                unit = dt;
             for (const std::uint32_t id : start.ids) {
-                double by = static_cast<double>(b.column(k)[with.place[id]]) -
-                            static_cast<double>(a.column(k)[without.place[id]]);
+                double by =
+                    static_cast<double>(b.column(k)[place_in_b[id]]) - static_cast<double>(a.column(k)[place_in_a[id]]);
                 if (period > 0) // one of the two has come in on the other side
                     by -= period * std::round(by / period);
                 greatest = std::max(greatest, unit * std::abs(by));
@@ -163,19 +157,12 @@ private:
         }
         return greatest;
     }
-    template <class P>
-    struct Places {
-        const State<P>* state;
-        std::vector<int> place; // of the particle with that number
-    };
-    template <class P>
-    static Places<P> places_by_id(const Scene& scene) {
-        Places<P> all{&scene[PhaseHandle<P>{}].state, {}};
-        const auto& ids = all.state->ids;
-        all.place.resize(*std::max_element(ids.begin(), ids.end()) + std::size_t{1});
-        for (std::size_t i = 0; i < ids.size(); ++i)
-            all.place[ids[i]] = static_cast<int>(i);
-        return all;
+    // places_by_id(s)[id]: where the particle with that number lies.
+    static std::vector<int> places_by_id(const Phase& s) {
+        std::vector<int> place(*std::max_element(s.ids.begin(), s.ids.end()) + std::size_t{1});
+        for (std::size_t i = 0; i < s.ids.size(); ++i)
+            place[s.ids[i]] = static_cast<int>(i);
+        return place;
     }
 };
 
@@ -183,8 +170,8 @@ private:
 
 /// The longest step, s, that a scene bears as it is now: `longest_stable_step(scene)`. With longer ones small
 /// disturbances grow. It needs no limit of any term, knows how particles lie and what adds up, and takes the integrator
-/// as it is; so it is for forces between particles that a program brings along without a limit, for bodies that are thin
-/// in places, and to see how far `scene.time_step_limits().front()` is from the truth.
+/// as it is; so it is for forces between particles that a program brings along without a limit, for bodies that are
+/// thin in places, and to see how far `scene.time_step_limits().front()` is from the truth.
 ///
 /// Copies of the scene take steps of the same length from the same state over and over, with and without a disturbance
 /// of all particles, and the difference they make is the next disturbance: power iteration with the derivative of the

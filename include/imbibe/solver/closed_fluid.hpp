@@ -3,29 +3,25 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
-#include <imbibe/core/phase.hpp>
-#include <imbibe/solver/loops.hpp>
+#include <imbibe/solver/phase_store.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
-#include <tuple>
-#include <type_traits>
 
 namespace imbibe::detail {
 
 /// The volume of the box that a phase fills alone, m^dim (m^2 in 2D); 0 where it does not: a side is not periodic, or
 /// other phases have particles.
-template <class P, class Engine>
-double box_of(const Engine& engine) {
+template <class Scene>
+double box_of(const Scene& scene, int phase) {
     double box = 1;
-    for (const double length : engine.periodic.length)
+    for (const double length : scene.periodic.length)
         box *= length;
-    engine.for_each_phase([&]<class Q, class S>(std::type_identity<Q>, const S& s) {
-        if (!std::is_same_v<P, Q> && s.size() > 0)
+    for (const auto& s : scene.phases)
+        if (&s != &scene.phase(phase) && s.size() > 0)
             box = 0;
-    });
     return box;
 }
 
@@ -41,15 +37,15 @@ double box_of(const Engine& engine) {
 /// @param box m^dim, or 0
 ///
 /// Source: own.
-template <class S, class Real>
-void keep_volume(S& s, const Real* before, double dt, double box, int threads) {
+template <int dim, class Real>
+void keep_volume(PhaseStore<dim, Real>& s, const Real* before, double dt, double box, int threads) {
     if (box == 0 || dt == 0)
         return;
     struct Volumes {
         double before = 0, after = 0;
     };
-    const Real* const m = s.field(mass);
-    Real* const rate = s.field(density_rate);
+    const Real* const m = s.column(s.row->mass);
+    Real* const rate = s.column(s.row->density_rate);
     const auto sum = [&](int begin, int end) {
         Volumes sums;
         for (int i = begin; i < end; ++i) {
@@ -75,23 +71,20 @@ void keep_volume(S& s, const Real* before, double dt, double box, int threads) {
 }
 
 /// The greatest speed of the particles of a phase against their mean velocity, m/s.
-template <class S>
-double greatest_relative_speed(const S& s) {
-    const auto velocities = s.points_of(velocity); // column by column
+template <int dim, class Real>
+double greatest_relative_speed(const PhaseStore<dim, Real>& s) {
+    const auto velocities = s.points_of(s.row->velocity);
     double speed2 = 0;
-    const auto for_each = [&](const auto& f) {
-        for (int i = 0; i < s.size(); ++i)
-            f(i);
-    };
-    std::array<double, std::tuple_size_v<decltype(velocities.x)>> mean{};
+    std::array<double, static_cast<std::size_t>(dim)> mean{};
     for (std::size_t d = 0; d < mean.size(); ++d)
-        for_each([&](int i) { mean[d] += static_cast<double>(velocities.x[d][i]) / s.size(); });
-    for_each([&](int i) {
+        for (int i = 0; i < s.size(); ++i)
+            mean[d] += static_cast<double>(velocities.x[d][i]) / s.size();
+    for (int i = 0; i < s.size(); ++i) {
         double one2 = 0;
         for (std::size_t d = 0; d < mean.size(); ++d)
             one2 += sq(static_cast<double>(velocities.x[d][i]) - mean[d]);
         speed2 = std::max(speed2, one2);
-    });
+    }
     return std::sqrt(speed2);
 }
 
@@ -101,25 +94,21 @@ double greatest_relative_speed(const S& s) {
 ///
 /// With a surface particles find room there. Without one they line up along streamlines, voids open between them, and
 /// the flow loses energy.
-/// @param engine the scene
-template <class P, class Engine>
-std::string warning_of_no_shifting(const Engine& engine) {
-    using Stored = typename Engine::template FieldsOf<P>;
-    if constexpr (is_fluid<P> && contains<Density, Stored> && contains<Velocity, Stored> &&
-                  !contains<TransportCorrection, Stored>) {
-        const auto& s = engine.template state<P>();
-        const double box = box_of<P>(engine);
-        if (s.size() == 0 || box == 0)
-            return {};
-        double volume = 0;
-        for (int i = 0; i < s.size(); ++i)
-            volume += static_cast<double>(s.field(mass)[i]) / static_cast<double>(s.field(density)[i]);
-        if (volume > 0.98 * box && greatest_relative_speed(s) > 0.02 * s.material.sound_speed)
-            return text(type_name<P>(), " flows in a box that is periodic on all sides, and no term of it keeps its ",
-                        "particles evenly spread: they line up along streamlines, voids open between them, and the ",
-                        "flow loses energy. List ParticleShifting, from a lattice with strength = 4 and the speed of ",
-                        "the flow for least_speed");
-    }
+template <class Scene>
+std::string warning_of_no_shifting(const Scene& scene, int phase) {
+    const auto& s = scene.phase(phase);
+    const PhaseRow& row = *s.row;
+    const double box = box_of(scene, phase);
+    if (!row.fluid || row.density < 0 || row.velocity < 0 || row.transport_correction >= 0 || s.size() == 0 || box == 0)
+        return {};
+    double volume = 0;
+    for (int i = 0; i < s.size(); ++i)
+        volume += static_cast<double>(s.column(row.mass)[i]) / static_cast<double>(s.column(row.density)[i]);
+    if (volume > 0.98 * box && greatest_relative_speed(s) > 0.02 * s.numbers().sound_speed)
+        return text(s.name, " flows in a box that is periodic on all sides, and no term of it keeps its particles ",
+                    "evenly spread: they line up along streamlines, voids open between them, and the flow loses ",
+                    "energy. List ParticleShifting, from a lattice with strength = 4 and the speed of the flow for ",
+                    "least_speed");
     return {};
 }
 

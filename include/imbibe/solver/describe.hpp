@@ -113,7 +113,7 @@ std::string describe(Scene& scene) {
     out += text("Schedule: ", Costs::rounds, " rounds, ", Costs::loops,
                 " loops\nMemory: ", static_cast<double>(engine.particle_bytes()) * 1e-6, " MB for particles, ",
                 static_cast<double>(engine.list_bytes()) * 1e-6, " MB for neighbours\n");
-    engine.for_each_link([&]<class L>(const L& link) {
+    engine.for_each_link([&]<class L>(L, const detail::Link& link) {
         const double mean = engine.mean_neighbours(link);
         if (mean > 0)
             out += text("Neighbours: ", detail::name_among<typename L::A>(phases), " has ", mean, " of ",

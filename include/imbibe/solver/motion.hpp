@@ -39,115 +39,112 @@ private:
     Vector<Real, dim> gravity{}, per_weight{};
     Real follow = 0;
 };
-/// The same where no term reads it.
-struct NoSupport {
-    template <class Real>
-    IMBIBE_INLINE Real along(std::size_t, Real) const {
-        return Real(0);
-    }
-};
-
-template <int dim, class Real, class Scene>
-class IMBIBE_PER_BUILD Mover : public Neighbourhood<dim, Real, Scene> {
-    using Base = Neighbourhood<dim, Real, Scene>;
+template <int dim, class Real>
+class IMBIBE_PER_BUILD Mover : public Neighbourhood<dim, Real> {
+    using Base = Neighbourhood<dim, Real>;
 
 public:
-    template <class P>
-    using FieldsOf = typename Base::template FieldsOf<P>;
-    template <class P>
-    using State = typename Base::template State<P>;
-    using Base::for_each_phase;
+    using Phase = typename Base::Phase;
+    using Base::Base, Base::phases;
 
-    /// velocity += dt * acceleration, for what moves and is not held; measures the motion.
-    void kick(double dt) { kick_if<Every>(dt); }
-    /// position += dt * (velocity + transport correction), for what moves and is not held.
-    void drift(double dt) { drift_if<Every>(dt); }
-    /// The same for the phases with Chosen<P>::value.
-    template <template <class> class Chosen>
-    void kick_if(double dt) {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves && Chosen<P>::value)
-                measure(s, advance_velocities(s, s.field(velocity), dt));
-        });
+    /// velocity += dt * acceleration, for what moves and is not held, of the phases that are chosen; measures the
+    /// motion.
+    void kick(double dt, const Bits& chosen = all_phases) {
+        for (std::size_t k = 0; k < phases.size(); ++k)
+            if (Phase& s = phases[k]; s.row->moves && chosen.test(static_cast<int>(k)))
+                s.motion = advance_velocities(s, s.column(s.row->velocity), dt);
     }
-    template <template <class> class Chosen>
-    void drift_if(double dt) {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves && Chosen<P>::value) {
-                advance_positions(s, s.field(position), dt);
-                note_way<P>(dt);
+    /// position += dt * (velocity + transport correction), for the same.
+    void drift(double dt, const Bits& chosen = all_phases) {
+        for (std::size_t k = 0; k < phases.size(); ++k)
+            if (Phase& s = phases[k]; s.row->moves && chosen.test(static_cast<int>(k))) {
+                advance_positions(s, s.column(s.row->position), dt);
+                note_way(s, dt);
             }
-        });
     }
 
     /// Keeps a copy of all that is integrated: positions, velocities, states. For integrators with several stages.
     void remember() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            auto& copy = std::get<Kept<P>>(kept).values;
-            copy.resize(s.stride() * static_cast<std::size_t>(component_count<dim, KeptFields<P>>));
-            copy_kept(s, copy, KeptFields<P>{});
-        });
+        for (Phase& s : phases) {
+            Real* to = nullptr;
+            const auto copy = [&](int first, int components) {
+                for (int k = first; k < first + components; ++k, to += s.stride())
+                    copy_column(s.column(k), to, s.size());
+            };
+            s.remembered.resize(s.stride() * columns_remembered(s));
+            to = s.remembered.data();
+            if (s.row->moves) {
+                copy(s.row->position, dim);
+                copy(s.row->velocity, dim);
+            }
+            for (const StateRow& state : s.row->states)
+                copy(state.first, state.components);
+        }
     }
     /// What was remembered, advanced by dt with the present rates (of positions: the present velocities).
     /// Neighbours and the order of the particles must not have changed since.
     void advance_remembered(double dt) {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            auto& copy = std::get<Kept<P>>(kept).values;
-            if constexpr (P::moves) { // positions first: they need the velocities as they are
-                advance_positions(s, copy.data() + kept_offset<P, Position> * s.stride(), dt);
-                note_way<P>(dt);
-                measure(s, advance_velocities(s, copy.data() + kept_offset<P, Velocity> * s.stride(), dt));
+        for (std::size_t k = 0; k < phases.size(); ++k) {
+            Phase& s = phases[k];
+            const Real* old = s.remembered.data();
+            if (s.row->moves) { // positions first: they need the velocities as they are
+                advance_positions(s, old, dt);
+                note_way(s, dt);
+                old += dim * s.stride();
+                s.motion = advance_velocities(s, old, dt);
+                old += dim * s.stride();
             }
-            advance_states(s, copy, dt, typename Scene::template AdvancedOf<P>{});
+            for (const StateRow& state : s.row->states) {
+                if (state.is_density)
+                    keep_volume(s, old, dt, box_of(*this, static_cast<int>(k)), this->threads);
+                for (int c = 0; c < state.components; ++c, old += s.stride())
+                    advance_state(s, state.first + c, old, state.rate + c, dt);
+            }
+            for (const StateRow& state : s.row->states)
+                s.note_written(state.first);
             s.pad();
-            if constexpr (State<P>::keeps_reference)
-                this->copy_places_to_image(s);
-        });
+            this->copy_places_to_image(s);
+        }
     }
 
-    /// to += by * (velocity + transport correction), a vector field of phase P: by how it moves, or is moved by a host.
-    template <class P>
-    void add_velocities(Real* to, double by) {
-        const auto& s = this->template state<P>();
-        const Real* v = s.field(velocity);
+    /// to += by * (velocity + transport correction), a vector field of a phase: by how it moves, or is moved by a host.
+    void add_velocities(const Phase& s, Real* to, double by) const {
+        const Real* const v = s.column(s.row->velocity);
+        const Real* const correction = s.column_if(s.row->transport_correction);
+        const Real* const free = s.column_if(s.row->mobility);
         for (std::size_t d = 0; d < dim; ++d)
             for (int i = 0; i < s.size(); ++i) {
                 const std::size_t k = d * s.stride() + static_cast<std::size_t>(i);
                 Real speed = v[k];
-                if constexpr (contains<TransportCorrection, FieldsOf<P>>) {
-                    Real free = 1;
-                    if constexpr (contains<Mobility, FieldsOf<P>>)
-                        free = s.field(mobility)[i];
-                    speed += free * s.field(transport_correction)[k];
-                }
+                if (correction)
+                    speed += (free ? free[i] : Real(1)) * correction[k];
                 to[k] += static_cast<Real>(by) * speed;
             }
     }
-    /// Keeps a copy of the sums on top of which the pass `What` acts: its columns `kept`.
-    template <class What>
-    void keep_sums() {
-        for_each_kept<What>([&](auto& copy, const auto& s, int column, std::size_t at) {
-            copy.resize(std::max(copy.size(), (at + 1) * s.stride()));
-            copy_column(s.column(column), copy.data() + at * s.stride(), s.size());
+    /// Keeps a copy of some sums, of all phases.
+    void keep_sums(std::span<const ColumnRange> columns) {
+        for_each_kept(columns, [&](Phase& s, int column, std::size_t at) {
+            s.kept_sums.resize(std::max(s.kept_sums.size(), (at + 1) * s.stride()));
+            copy_column(s.column(column), s.kept_sums.data() + at * s.stride(), s.size());
         });
     }
     /// These sums as they were kept. The order of the particles must not have changed since.
-    template <class What>
-    void restore_sums() {
-        for_each_kept<What>([&](const auto& copy, auto& s, int column, std::size_t at) {
-            copy_column(copy.data() + at * s.stride(), s.column(column), s.size());
+    void restore_sums(std::span<const ColumnRange> columns) {
+        for_each_kept(columns, [&](Phase& s, int column, std::size_t at) {
+            copy_column(s.kept_sums.data() + at * s.stride(), s.column(column), s.size());
         });
+        for (const ColumnRange& range : columns)
+            this->phase(range.phase).note_written(range.first);
     }
 
     /// Measures the speeds of every phase; its acceleration is at least gravity. For the first step.
     void measure_motion() {
         const auto measure_all = [&] {
-            for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-                auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
-                const double acceleration = std::max(m.acceleration, std::sqrt(squared_norm(this->gravity)));
-                m = this->velocities_of(s);
-                m.acceleration = acceleration;
-            });
+            for (Phase& s : phases) {
+                const double acceleration = std::max(s.motion.acceleration, std::sqrt(squared_norm(this->gravity)));
+                s.motion = this->velocities_of(s);
+                s.motion.acceleration = acceleration;
+            }
         };
         measure_all(); // the means, of which the frame is made
         this->choose_frame();
@@ -157,111 +154,74 @@ public:
     /// The same for velocities that a host has made greater since the last step. Speeds that only differ in how they
     /// are rounded stay what they are: to look at a scene changes nothing.
     void notice_greater_speeds() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (P::moves) {
-                auto& m = this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)];
-                const Motion now = this->velocities_of(s);
-                if (now.speed > m.speed + 1e-5 * m.fastest || now.fastest > m.fastest * (1 + 1e-5)) {
-                    m.speed = now.speed;
-                    m.fastest = now.fastest;
-                    m.mean = now.mean;
-                }
+        for (Phase& s : phases) {
+            if (!s.row->moves)
+                continue;
+            Motion& m = s.motion;
+            const Motion now = this->velocities_of(s);
+            if (now.speed > m.speed + 1e-5 * m.fastest || now.fastest > m.fastest * (1 + 1e-5)) {
+                m.speed = now.speed;
+                m.fastest = now.fastest;
+                m.mean = now.mean;
             }
-        });
+        }
     }
 
 private:
-    template <class P>
-    struct Every : std::true_type {};
+    static constexpr Bits all_phases{{~0ull, ~0ull, ~0ull, ~0ull}};
 
-    // What is integrated of a phase.
-    template <class P>
-    using KeptFields = Concat<std::conditional_t<P::moves, TypeList<Position, Velocity>, TypeList<>>,
-                              typename Scene::template AdvancedOf<P>>;
-    template <class P, class F>
-    static constexpr std::size_t kept_offset = static_cast<std::size_t>(component_offset<dim, F, KeptFields<P>>);
-    template <class P>
-    struct Kept {
-        AlignedVector<Real> values, sums;
-    };
-    template <class List>
-    struct AllKept;
-    template <class... P>
-    struct AllKept<TypeList<P...>> {
-        using type = std::tuple<Kept<P>...>;
-    };
-    typename AllKept<typename Scene::Phases>::type kept;
-
-    [[gnu::noinline]] void copy_column(const Real* from, Real* to, int n) {
+    static std::size_t columns_remembered(const Phase& s) {
+        std::size_t columns = s.row->moves ? 2 * dim : 0;
+        for (const StateRow& state : s.row->states)
+            columns += static_cast<std::size_t>(state.components);
+        return columns;
+    }
+    void copy_column(const Real* from, Real* to, int n) {
         const auto block = [&](int begin, int end) { std::copy_n(from + begin, end - begin, to + begin); };
         loop_blocks(n, 4096, this->threads, Callable<void(int, int)>(block));
     }
-    // Calls f(copy, state, column, k) for every column that the pass `What` keeps, the k-th of its phase.
-    template <class What, class F>
-    void for_each_kept(const F& f) {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            std::size_t k = 0;
-            [&]<class... G>(TypeList<G...>) { (columns_kept<What, P, G>(f, s, k), ...); }(FieldsOf<P>{});
-        });
+    // Calls f(phase, column, k) for every column, the k-th of its phase.
+    template <class F>
+    void for_each_kept(std::span<const ColumnRange> columns, const F& f) {
+        int last = -1;
+        std::size_t at = 0;
+        for (const ColumnRange& range : columns) { // a phase's are one after the other
+            at = range.phase == last ? at : 0;
+            last = range.phase;
+            for (int c = 0; c < range.components; ++c)
+                f(this->phase(range.phase), range.first + c, at++);
+        }
     }
-    template <class What, class P, class G, class F>
-    void columns_kept(const F& f, State<P>& s, std::size_t& k) {
-        if constexpr (What::kept.test(Scene::template column<P, G>))
-            for (int c = 0; c < components(G::rank, dim); ++c, ++k)
-                f(std::get<Kept<P>>(kept).sums, s, State<P>::template offset<G> + c, k);
-    }
-    template <class S, class... F>
-    void copy_kept(const S& s, AlignedVector<Real>& copy, TypeList<F...> list) {
-        [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
-            for (int k = 0; k < components(G::rank, dim); ++k)
-                copy_column(s.column(S::template offset<G> + k),
-                            copy.data() +
-                                static_cast<std::size_t>(component_offset<dim, G, decltype(list)> + k) * s.stride(),
-                            s.size());
-        };
-        (one(std::type_identity<F>{}), ...);
-    }
-    template <class P, class List, class... F>
-    void advance_states(PhaseState<P, List, dim, Real>& s, const AlignedVector<Real>& from, double dt, TypeList<F...>) {
+    void advance_state(Phase& s, int column, const Real* old, int rate_column, double dt) const {
         const Real by = static_cast<Real>(dt);
-        [[maybe_unused]] const auto one = [&]<class G>(std::type_identity<G>) {
-            if constexpr (std::is_same_v<G, Density>)
-                keep_volume(s, from.data() + kept_offset<P, G> * s.stride(), dt, box_of<P>(*this), this->threads);
-            for (std::size_t k = 0; k < static_cast<std::size_t>(components(G::rank, dim)); ++k) {
-                const int c = static_cast<int>(k);
-                Real* to = s.column(component_offset<dim, G, List> + c);
-                const Real* rate = s.column(component_offset<dim, Rate<G>, List> + c);
-                const Real* old = from.data() + (kept_offset<P, G> + k) * s.stride();
-                const auto block = [&](int begin, int end) {
-                    for (int i = begin; i < end; ++i)
-                        to[i] = old[i] + by * rate[i];
-                };
-                loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
-            }
+        Real* const to = s.column(column);
+        const Real* const rate = s.column(rate_column);
+        const auto block = [&](int begin, int end) {
+            for (int i = begin; i < end; ++i)
+                to[i] = old[i] + by * rate[i];
         };
-        (one(std::type_identity<F>{}), ...);
+        loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
     }
 
     // velocity = old + dt * acceleration; the speeds and the greatest acceleration; the supported share, if a term
     // reads it.
-    template <class P, class List>
-    Motion advance_velocities(PhaseState<P, List, dim, Real>& s, const Real* old, double dt) {
+    Motion advance_velocities(Phase& s, const Real* old, double dt) const {
         const Real by = static_cast<Real>(dt);
-        Real* v = s.field(velocity);
-        const Real* a = s.field(acceleration);
+        Real* const v = s.column(s.row->velocity);
+        const Real* const a = s.column(s.row->acceleration);
+        const Real* const mobility = s.column_if(s.row->mobility);
+        Real* const share = s.row->supported_share < 0 ? nullptr : s.column(s.row->supported_share);
         const std::size_t stride = s.stride();
         Real of_frame[static_cast<std::size_t>(dim)];
         for (int d = 0; d < dim; ++d)
             of_frame[d] = static_cast<Real>(this->frame[d]);
-        std::conditional_t<contains<SupportedShare, List>, Support<dim, Real>, NoSupport> support;
-        if constexpr (contains<SupportedShare, List>)
-            support = {this->gravity, dt * s.material.sound_speed / s.material.support_radius};
+        const PhaseNumbers numbers = s.numbers();
+        const Support<dim, Real> support(this->gravity, share ? dt * numbers.sound_speed / numbers.support_radius : 0);
         const auto block = [&](int begin, int end) {
             Real speed2 = 0, acceleration2 = 0, fastest2 = 0, sum[static_cast<std::size_t>(dim)]{};
             for (int i = begin; i < end; ++i) {
-                Real free = 1, v2 = 0, relative2 = 0, a2 = 0, borne = 0;
-                if constexpr (contains<Mobility, List>)
-                    free = s.field(mobility)[i];
+                const Real free = mobility ? mobility[i] : Real(1);
+                Real v2 = 0, relative2 = 0, a2 = 0, borne = 0;
                 for (std::size_t d = 0; d < dim; ++d) {
                     const std::size_t k = d * stride + static_cast<std::size_t>(i);
                     v[k] = old[k] + by * free * a[k];
@@ -271,8 +231,8 @@ private:
                     a2 += free * a[k] * a[k];
                     borne += support.along(d, free * a[k]);
                 }
-                if constexpr (contains<SupportedShare, List>)
-                    s.field(supported_share)[i] = support.mean(s.field(supported_share)[i], borne);
+                if (share)
+                    share[i] = support.mean(share[i], borne);
                 speed2 = std::max(speed2, relative2);
                 fastest2 = std::max(fastest2, v2);
                 acceleration2 = std::max(acceleration2, a2);
@@ -285,36 +245,34 @@ private:
                 found.mean[d] = static_cast<double>(sum[d]);
             return found;
         };
+        s.note_written(s.row->velocity);
+        s.note_written(s.row->supported_share);
         return motion_of_blocks(s.size(), this->threads, Callable<Motion(int, int)>(block));
     }
-    template <class P, class List>
-    void measure(const PhaseState<P, List, dim, Real>&, const Motion& motion) {
-        this->motions[static_cast<std::size_t>(Scene::template phase_index<P>)] = motion;
-    }
     // With a transport correction it is not known how far it was: then neighbours are found anew in every step.
-    template <class P>
-    void note_way(double dt) {
-        constexpr auto k = static_cast<std::size_t>(Scene::template phase_index<P>);
-        if constexpr (contains<TransportCorrection, FieldsOf<P>>)
-            this->travelled[k] = std::numeric_limits<double>::infinity();
+    static void note_way(Phase& s, double dt) {
+        if (s.row->transport_correction >= 0)
+            s.travelled = std::numeric_limits<double>::infinity();
         else
-            this->travelled[k] += dt * this->motions[k].fastest;
+            s.travelled += dt * s.motion.fastest;
     }
     // position = old + dt * (velocity + transport correction).
-    template <class P, class List>
-    void advance_positions(PhaseState<P, List, dim, Real>& s, const Real* old, double dt) {
+    void advance_positions(Phase& s, const Real* old, double dt) const {
+        const Real* const mobility = s.column_if(s.row->mobility);
+        const Real by = static_cast<Real>(dt);
         const auto block = [&](int begin, int end) {
-            const Real by = static_cast<Real>(dt);
             for (int d = 0; d < dim; ++d) {
-                Real* x = s.column(component_offset<dim, Position, List> + d);
-                const Real* x0 = old + static_cast<std::size_t>(d) * s.stride();
-                const Real* v = s.column(component_offset<dim, Velocity, List> + d);
+                Real* const x = s.column(s.row->position + d);
+                const Real* const x0 = old + static_cast<std::size_t>(d) * s.stride();
+                const Real* const v = s.column(s.row->velocity + d);
+                const Real* const correction =
+                    s.row->transport_correction < 0 ? nullptr : s.column(s.row->transport_correction + d);
                 for (int i = begin; i < end; ++i) {
                     Real speed = v[i];
-                    if constexpr (contains<TransportCorrection, List>)
-                        speed += s.column(component_offset<dim, TransportCorrection, List> + d)[i];
-                    if constexpr (contains<Mobility, List>)
-                        speed *= s.field(mobility)[i];
+                    if (correction)
+                        speed += correction[i];
+                    if (mobility)
+                        speed *= mobility[i];
                     x[i] = x0[i] + by * speed;
                 }
             }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <imbibe/solver/pair_distances.hpp>
-#include <imbibe/solver/scene_state.hpp>
+#include <imbibe/solver/scene_store.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,41 +25,40 @@ namespace imbibe::detail {
     return all;
 }
 
-template <int dim, class Real, class Scene>
-class IMBIBE_PER_BUILD Neighbourhood : public SceneState<dim, Real, Scene> {
-    using Base = SceneState<dim, Real, Scene>;
+template <int dim, class Real>
+class IMBIBE_PER_BUILD Neighbourhood : public SceneStore<dim, Real> {
+    using Base = SceneStore<dim, Real>;
 
 public:
-    template <class P>
-    using State = typename Base::template State<P>;
-    using Links = typename Base::Links;
-    using Base::for_each_phase;
+    using Phase = typename Base::Phase;
+    using Pairs = PairDistances<dim, Real, Base::width>;
+    using Base::Base, Base::phase, Base::phases, Base::links, Base::support;
 
     /// Once, when the particles are there: puts total-Lagrangian phases into the order of their reference positions
     /// and finds the neighbours they keep.
     void find_reference_neighbours() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (State<P>::keeps_reference) {
-                if (s.size() == 0)
-                    return;
-                const auto bounds = search::bounds_of(s.points_of(reference_position), this->threads);
-                if (bounds.not_finite >= 0)
-                    throw_not_finite(s, bounds.not_finite);
-                search::Grid<dim> reference_grid;
-                reference_grid.fit(bounds, s.material.support_radius, this->periodic, s.size());
-                search::CellTable table;
-                if (!table.sort(reference_grid, s.points_of(reference_position), this->threads))
-                    s.reorder(table.order(), this->threads);
-                const auto points = s.points_of(reference_position);
-                this->for_each_link([&]<class L>(L& link) {
-                    if constexpr (L::reference && std::is_same_v<typename L::A, P>) {
-                        link.support = s.material.support_radius;
-                        search::find_runs<Base::width>(link.runs, points, points, reference_grid, table, link.support,
-                                                       this->threads);
-                    }
-                });
+        for (std::size_t k = 0; k < phases.size(); ++k) {
+            Phase& s = phases[k];
+            if (!s.row->keeps_reference() || s.size() == 0)
+                continue;
+            const auto places = [&] { return s.points_of(s.row->reference_position); };
+            const double reach = s.numbers().support_radius;
+            const auto bounds = search::bounds_of(places(), this->threads);
+            require_finite(s, bounds);
+            search::Grid<dim> reference_grid;
+            reference_grid.fit(bounds, reach, this->periodic, s.size());
+            search::CellTable cells;
+            if (!cells.sort(reference_grid, places(), this->threads)) {
+                s.reorder(cells.order(), this->threads);
+                s.note_all_written();
             }
-        });
+            for (Link& link : links)
+                if (link.row.reference && link.row.a == static_cast<int>(k)) {
+                    link.support = reach;
+                    search::find_runs<Base::width>(link.runs, places(), places(), reference_grid, cells, link.support,
+                                                   this->threads);
+                }
+        }
     }
 
     /// How many steps neighbours serve; see Settings::search_interval.
@@ -75,35 +74,32 @@ public:
             search_neighbours();
         } else {
             refresh_places();
-            measure_nearest(typename Scene::Couplings{});
+            measure_nearest();
         }
     }
     /// After particles have moved, if neighbours stay as they are: what others see of them.
     void refresh_places() {
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            if constexpr (State<P>::keeps_reference)
-                copy_places_to_image(s);
+        for (Phase& s : phases) {
+            copy_places_to_image(s);
             s.pad();
-        });
+        }
     }
-    /// The same for phase P, if its own particles look for neighbours where they are now.
-    template <class P>
-    void refresh_places_among() {
-        if constexpr (State<P>::keeps_reference && contains<Link<P, P, false>, Links>)
-            copy_places_to_image(this->template state<P>());
+    /// The same for one phase, if its own particles look for neighbours where they are now.
+    void refresh_places_among(int k) {
+        if (std::any_of(links.begin(), links.end(),
+                        [&](const Link& link) { return !link.row.reference && link.row.a == k && link.row.b == k; }))
+            copy_places_to_image(phase(k));
     }
     /// Will `find_neighbours` search, if it is called `ahead` calls from now and nothing travels far until then?
     bool search_is_due(int ahead = 1) const {
         double farthest = 0;
-        for (double way : travelled)
-            farthest = std::max(farthest, way);
         bool disturbed = false;
-        for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+        for (const Phase& s : phases) {
+            farthest = std::max(farthest, s.travelled);
             disturbed = disturbed || s.disturbed;
-            if constexpr (!P::moves)
-                if (search_interval > 1 && !s.disturbed) // a host may move it
-                    farthest = std::max(farthest, s.farthest_since(this->threads));
-        });
+            if (!s.row->moves && search_interval > 1 && !s.disturbed) // a host may move it
+                farthest = std::max(farthest, s.farthest_since(this->threads));
+        }
         return steps_since_search + ahead >= search_interval || disturbed || !(farthest <= farthest_allowed);
     }
     /// Makes the next search due.
@@ -112,173 +108,132 @@ public:
     /// Sorts what moves and finds the neighbours of now.
     void search_neighbours() {
         steps_since_search = 0;
-        travelled.fill(0);
         farthest_allowed = std::numeric_limits<double>::infinity();
         search::Bounds<dim> all;
         long long particles = 0;
         double greatest_support = 0;
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
+        for (std::size_t k = 0; k < phases.size(); ++k) {
+            Phase& s = phases[k];
+            s.travelled = 0;
             s.bounds = {};
             if (s.size() == 0)
-                return;
-            if constexpr (State<P>::keeps_reference)
+                continue;
+            if (s.row->keeps_reference()) {
                 s.bounds = wrapped(search::bounds_of(s.points(), this->threads));
-            else {
+            } else {
                 wrap(s);
                 s.bounds = search::bounds_of(s.points(), this->threads);
             }
-            if (s.bounds.not_finite >= 0)
-                throw_not_finite(s, s.bounds.not_finite);
+            require_finite(s, s.bounds);
             all.include(s.bounds);
             particles += s.size();
-            if (takes_part<P>())
-                greatest_support = std::max(greatest_support, s.material.support_radius);
-        });
+            if (takes_part(static_cast<int>(k)))
+                greatest_support = std::max(greatest_support, s.numbers().support_radius);
+        }
         if (greatest_support == 0)
             return;
         grid.fit(all, reach_of(greatest_support), this->periodic, particles);
-        for_each_phase([&]<class P>(std::type_identity<P>, State<P>& s) {
-            s.within_reach = is_near_any<P>(Links{});
+        for (std::size_t k = 0; k < phases.size(); ++k) {
+            Phase& s = phases[k];
+            s.within_reach = is_near_any(static_cast<int>(k));
             if (s.within_reach)
                 sort(s);
-            if (!P::moves && search_interval > 1)
+            if (!s.row->moves && search_interval > 1)
                 s.remember_places();
             s.disturbed = false;
             s.pad();
-        });
-        this->for_each_link([&]<class L>(L& link) {
-            if constexpr (!L::reference) {
-                auto& a = this->template state<typename L::A>();
-                auto& b = this->template state<typename L::B>();
-                link.support = this->template support<typename L::A, typename L::B>();
-                farthest_allowed =
-                    std::min(farthest_allowed, (search_skin > 0 ? search_skin / 2 : 0.05) * link.support);
-                if (this->template are_apart<typename L::A, typename L::B>())
-                    link.runs.clear_all(a.size());
-                else
-                    search::find_runs<Base::width>(link.runs, a.points(), seen_points(b), grid, b.table,
-                                                   reach_of(link.support), this->threads);
-            }
-        });
-        measure_nearest(typename Scene::Couplings{});
-    }
-
-    /// The distance of the nearest particles of two coupled phases, m, as it was when it was measured last; infinite
-    /// where no term asks for it.
-    template <class C>
-    double nearest_of() const {
-        double least = std::numeric_limits<double>::infinity();
-        if constexpr (asks_for_nearest(typename C::terms{}))
-            this->for_each_link([&]<class L>(const L& link) {
-                if constexpr (is_link_of<L, C>)
-                    least = std::min(least, link.nearest);
-            });
-        return least;
+        }
+        for (Link& link : links) {
+            if (link.row.reference)
+                continue;
+            const Phase &a = phase(link.row.a), &b = phase(link.row.b);
+            link.support = support(link.row.a, link.row.b);
+            farthest_allowed = std::min(farthest_allowed, (search_skin > 0 ? search_skin / 2 : 0.05) * link.support);
+            if (are_apart(link.row.a, link.row.b))
+                link.runs.clear_all(a.size());
+            else
+                search::find_runs<Base::width>(link.runs, a.points(), b.seen_points(), grid, b.table,
+                                               reach_of(link.support), this->threads);
+        }
+        measure_nearest();
     }
 
     /// How far neighbours are looked for, m.
-    double reach_of(double support) const { return (1 + search_skin) * support; }
+    double reach_of(double support_radius) const { return (1 + search_skin) * support_radius; }
 
     /// Are the boxes around two phases further apart than that, along a side that is not periodic? So
     /// is a phase without particles from every other.
-    template <class A, class B>
-    bool are_apart() const {
-        return this->template state<A>().bounds.far_from(this->template state<B>().bounds,
-                                                         reach_of(this->template support<A, B>()), this->periodic);
+    bool are_apart(int a, int b) const {
+        return phase(a).bounds.far_from(phase(b).bounds, reach_of(support(a, b)), this->periodic);
     }
 
-    /// How fast phase P moves: what moves by itself as it was after the last step, walls, which a host moves, as they
+    /// How fast a phase moves: what moves by itself as it was after the last step, walls, which a host moves, as they
     /// are now.
-    template <class P>
-    Motion motion_now() const {
-        Motion now = this->template motion<P>();
-        if constexpr (!P::moves) {
-            now = velocities_of(this->template state<P>());
-            now.acceleration = this->template motion<P>().acceleration;
-        }
+    Motion motion_now(int k) const {
+        const Phase& s = phase(k);
+        if (s.row->moves)
+            return s.motion;
+        Motion now = velocities_of(s);
+        now.acceleration = s.motion.acceleration;
         return now;
     }
 
     /// The pairs of a link; as they are now, if no particle was added or removed since the last search.
-    template <class L>
-    PairDistances<dim, Real, Base::width> pairs_of(const L& link) const {
-        const auto& a = this->template state<typename L::A>();
-        const auto& b = this->template state<typename L::B>();
-        if constexpr (L::reference)
-            return {link.runs, a.points_of(reference_position), b.points_of(reference_position), this->periodic,
-                    nullptr};
-        else // a total-Lagrangian phase is not wrapped
-            return {link.runs, a.points(), seen_points(b), this->periodic,
-                    State<typename L::A>::keeps_reference && this->any_periodic() ? &a.periods_outside : nullptr};
+    Pairs pairs_of(const Link& link) const {
+        const Phase &a = phase(link.row.a), &b = phase(link.row.b);
+        if (link.row.reference)
+            return {link.runs, a.points_of(a.row->reference_position), b.points_of(b.row->reference_position),
+                    this->periodic, nullptr};
+        // a total-Lagrangian phase is not wrapped
+        return {link.runs, a.points(), b.seen_points(), this->periodic,
+                a.row->keeps_reference() && this->any_periodic() ? &a.periods_outside : nullptr};
     }
-    /// Calls f(link) with the link of a coupling, if it has one. The link the other way round, which it may have as
-    /// well, has the same pairs.
-    template <class C, class F>
-    void with_link_of(const F& f) const {
-        bool done = false;
-        this->for_each_link([&]<class L>(const L& link) {
-            if constexpr (is_link_of<L, C>) {
-                if (!done)
-                    f(link);
-                done = true;
-            }
-        });
+    /// The first link of a coupling, if it has one. The link the other way round, which it may have as well, has the
+    /// same pairs.
+    const Link* link_of_coupling(int k) const {
+        const CouplingRow& coupling = this->table.couplings[static_cast<std::size_t>(k)];
+        for (const Link& link : links)
+            if (ties(link, coupling))
+                return &link;
+        return nullptr;
+    }
+    /// The distance of the nearest particles of a coupling's phases, m, as it was when it was measured last; infinite
+    /// where no term asks for it.
+    double nearest_of_coupling(int k) const {
+        const Link* const link = link_of_coupling(k);
+        return link == nullptr ? std::numeric_limits<double>::infinity() : link->nearest;
     }
     /// The mean number of neighbours within the support, the particle itself not counted, over a sample of particles.
-    template <class L>
-    double mean_neighbours(const L& link) const {
-        return pairs_of(link).mean_number(link.support);
-    }
+    double mean_neighbours(const Link& link) const { return pairs_of(link).mean_number(link.support); }
 
 protected:
-    /// How far the particles of each phase can have travelled since the last search, m.
-    std::array<double, static_cast<std::size_t>(Base::Phases::size)> travelled{};
-
-    /// The points of a phase as others see it: in the order of the cells.
-    template <class S>
-    static search::Points<dim, Real> seen_points(const S& s) {
-        if constexpr (S::keeps_reference)
-            return s.image_points();
-        else
-            return s.points();
-    }
-
-    /// Brings the positions in the copy through which others see a total-Lagrangian phase up to date, if any can.
-    template <class S>
-    void copy_places_to_image(S& s) {
-        if (s.within_reach)
-            s.copy_places_to_image(this->threads);
-    }
-
     /// The speeds and the mean velocity of a phase as it is now; what has no velocities rests.
-    template <class P, class List>
-    Motion velocities_of(const PhaseState<P, List, dim, Real>& s) const {
-        if constexpr (contains<Velocity, List>) {
-            const Real* v = s.field(velocity);
-            const auto block = [&](int begin, int end) {
-                double most2 = 0, relative2 = 0;
-                Motion found;
-                for (int i = begin; i < end; ++i) {
-                    double v2 = 0, r2 = 0;
-                    for (std::size_t d = 0; d < dim; ++d) {
-                        const auto now = static_cast<double>(v[d * s.stride() + static_cast<std::size_t>(i)]);
-                        v2 += sq(now);
-                        r2 += sq(now - this->frame[static_cast<int>(d)]);
-                        found.mean[d] += now;
-                    }
-                    most2 = std::max(most2, v2);
-                    relative2 = std::max(relative2, r2);
-                }
-                found.speed = std::sqrt(relative2);
-                found.fastest = std::sqrt(most2);
-                return found;
-            };
-            return motion_of_blocks(s.size(), this->threads, Callable<Motion(int, int)>(block));
-        } else {
+    Motion velocities_of(const Phase& s) const {
+        if (s.row->velocity < 0) {
             Motion resting;
             resting.speed = s.size() > 0 ? std::sqrt(squared_norm(this->frame)) : 0;
             return resting;
         }
+        const Real* v = s.column(s.row->velocity);
+        const auto block = [&](int begin, int end) {
+            double most2 = 0, relative2 = 0;
+            Motion found;
+            for (int i = begin; i < end; ++i) {
+                double v2 = 0, r2 = 0;
+                for (std::size_t d = 0; d < dim; ++d) {
+                    const auto now = static_cast<double>(v[d * s.stride() + static_cast<std::size_t>(i)]);
+                    v2 += sq(now);
+                    r2 += sq(now - this->frame[static_cast<int>(d)]);
+                    found.mean[d] += now;
+                }
+                most2 = std::max(most2, v2);
+                relative2 = std::max(relative2, r2);
+            }
+            found.speed = std::sqrt(relative2);
+            found.fastest = std::sqrt(most2);
+            return found;
+        };
+        return motion_of_blocks(s.size(), this->threads, Callable<Motion(int, int)>(block));
     }
 
     /// Chooses the frame in which speeds are measured: that of the walls, at their mean velocity; that of particles
@@ -288,15 +243,15 @@ protected:
         Vector<double, dim> of_walls{}, of_others{};
         double walls = 0, others = 0;
         bool held = false;
-        for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
-            const Motion now = motion_now<P>();
+        for (std::size_t k = 0; k < phases.size(); ++k) {
+            const Phase& s = phases[k];
+            const Motion now = motion_now(static_cast<int>(k));
             for (int d = 0; d < dim; ++d)
-                (P::moves ? of_others : of_walls)[d] += s.size() * now.mean[static_cast<std::size_t>(d)];
-            (P::moves ? others : walls) += s.size();
-            if constexpr (contains<Mobility, typename Base::template FieldsOf<P>>)
-                held = held || std::find(s.field(mobility), s.field(mobility) + s.size(), Real(0)) !=
-                                   s.field(mobility) + s.size();
-        });
+                (s.row->moves ? of_others : of_walls)[d] += s.size() * now.mean[static_cast<std::size_t>(d)];
+            (s.row->moves ? others : walls) += s.size();
+            if (const Real* const free = s.column_if(s.row->mobility))
+                held = held || std::find(free, free + s.size(), Real(0)) != free + s.size();
+        }
         this->frame = Vector<double, dim>{};
         if (!held && walls + others > 0)
             for (int d = 0; d < dim; ++d) {
@@ -304,79 +259,66 @@ protected:
                 this->frame[d] = std::isfinite(mean) ? mean : 0;
             }
     }
+    /// Brings the positions in the copy through which others see a total-Lagrangian phase up to date, if any can.
+    void copy_places_to_image(Phase& s) {
+        if (s.row->keeps_reference() && s.within_reach)
+            s.copy_places_to_image(this->threads);
+    }
 
 private:
-    template <class L, class C>
-    static constexpr bool is_link_of =
-        !L::reference &&
-        ((std::is_same_v<typename L::A, typename C::First> && std::is_same_v<typename L::B, typename C::Second>) ||
-         (std::is_same_v<typename L::A, typename C::Second> && std::is_same_v<typename L::B, typename C::First>));
-
-    // The distance of the nearest pair of every coupling that asks for it.
-    template <class... C>
-    void measure_nearest(TypeList<C...>) {
-        (measure_nearest_of<C>(), ...);
-    }
-    template <class C>
-    void measure_nearest_of() {
-        if constexpr (asks_for_nearest(typename C::terms{})) {
-            double nearest = std::numeric_limits<double>::infinity();
-            with_link_of<C>([&](const auto& link) {
-                if (!link.runs.is_empty())
-                    nearest = pairs_of(link).nearest(this->threads);
-            });
-            this->for_each_link([&]<class L>(L& link) {
-                if constexpr (is_link_of<L, C>)
-                    link.nearest = nearest;
-            });
-        }
-    }
     search::Grid<dim> grid;
     int steps_since_search = 0;
     double farthest_allowed = 0; ///< m
 
-    /// Does any sweep over the neighbours of now involve phase P?
-    template <class P>
-    static constexpr bool takes_part() {
-        return takes_part_in<P>(Links{});
+    static bool ties(const Link& link, const CouplingRow& coupling) {
+        const LinkRow& row = link.row;
+        return !row.reference && ((row.a == coupling.first && row.b == coupling.second) ||
+                                  (row.a == coupling.second && row.b == coupling.first));
     }
-    template <class P, class... L>
-    static constexpr bool takes_part_in(TypeList<L...>) {
-        return ((!L::reference && (std::is_same_v<P, typename L::A> || std::is_same_v<P, typename L::B>)) || ...);
+    // The distance of the nearest pair of every coupling that asks for it.
+    void measure_nearest() {
+        for (std::size_t k = 0; k < this->table.couplings.size(); ++k) {
+            const CouplingRow& coupling = this->table.couplings[k];
+            if (!coupling.asks_for_nearest)
+                continue;
+            double nearest = std::numeric_limits<double>::infinity();
+            if (const Link* const first = link_of_coupling(static_cast<int>(k)); first && !first->runs.is_empty())
+                nearest = pairs_of(*first).nearest(this->threads);
+            for (Link& link : links)
+                if (ties(link, coupling))
+                    link.nearest = nearest;
+        }
     }
-
-    /// Is phase P, at the last search, within reach of any phase that it has a sweep over the neighbours of now with?
-    template <class P, class... L>
-    bool is_near_any(TypeList<L...>) const {
-        [[maybe_unused]] const auto is_near = [&]<class M>(std::type_identity<M>) {
-            if constexpr (!M::reference && (std::is_same_v<P, typename M::A> || std::is_same_v<P, typename M::B>))
-                return !are_apart<typename M::A, typename M::B>();
-            return false;
-        };
-        return (is_near(std::type_identity<L>{}) || ...);
+    static bool involves(const Link& link, int k) {
+        return !link.row.reference && (link.row.a == k || link.row.b == k);
     }
-
-    template <class S>
-    [[noreturn]] void throw_not_finite(const S& s, int i) const {
-        throw Error(text("a coordinate of particle ", s.ids[static_cast<std::size_t>(i)], " of phase ",
-                         type_name<std::remove_cvref_t<decltype(s.material)>>(),
-                         " is not a finite number, or is beyond 1e30 m"));
+    // Does any sweep over the neighbours of now involve the phase?
+    bool takes_part(int k) const {
+        return std::any_of(links.begin(), links.end(), [&](const Link& link) { return involves(link, k); });
+    }
+    // Is the phase, at the last search, within reach of any that it has a sweep over the neighbours of now with?
+    bool is_near_any(int k) const {
+        return std::any_of(links.begin(), links.end(),
+                           [&](const Link& link) { return involves(link, k) && !are_apart(link.row.a, link.row.b); });
+    }
+    static void require_finite(const Phase& s, const search::Bounds<dim>& bounds) {
+        if (bounds.not_finite >= 0)
+            throw Error(text("a coordinate of particle ", s.ids[static_cast<std::size_t>(bounds.not_finite)],
+                             " of phase ", s.name, " is not a finite number, or is beyond 1e30 m"));
     }
 
     // Periodic sides: particles that leave on one side come back on the other.
-    template <class S>
-    void wrap(S& s) {
-        for (int d = 0; d < dim; ++d)
-            wrap_column(s.column(S::template offset<Position> + d), s.size(), d);
-    }
-    void wrap_column(Real* x, int n, int d) {
-        const auto k = static_cast<std::size_t>(d);
-        if (this->periodic.length[k] == 0)
-            return;
-        const Real low = static_cast<Real>(this->periodic.lower[k]),
-                   length = static_cast<Real>(this->periodic.length[k]);
-        for (int i = 0; i < n; ++i)
-            x[i] = search::into_period(x[i], low, length);
+    void wrap(Phase& s) const {
+        for (int d = 0; d < dim; ++d) {
+            const auto k = static_cast<std::size_t>(d);
+            if (this->periodic.length[k] == 0)
+                continue;
+            const Real low = static_cast<Real>(this->periodic.lower[k]),
+                       length = static_cast<Real>(this->periodic.length[k]);
+            Real* const x = s.column(s.row->position + d);
+            for (int i = 0; i < s.size(); ++i)
+                x[i] = search::into_period(x[i], low, length);
+        }
     }
     search::Bounds<dim> wrapped(search::Bounds<dim> b) const {
         for (std::size_t d = 0; d < dim; ++d)
@@ -386,22 +328,11 @@ private:
             }
         return b;
     }
-
-    template <class S>
-    void sort(S& s) {
-        if constexpr (S::keeps_reference) {
-            s.image_order.resize(static_cast<std::size_t>(s.size()));
-            for (std::size_t i = 0; i < s.image_order.size(); ++i)
-                s.image_order[i] = static_cast<std::uint32_t>(i);
-            s.note_periods(this->periodic);
-            copy_places_to_image(s);
-            if (!s.table.sort(grid, s.image_points(), this->threads)) {
-                s.image_order = s.table.order();
-                copy_places_to_image(s);
-            }
-        } else if (!s.table.sort(grid, s.points(), this->threads)) {
+    void sort(Phase& s) {
+        if (s.row->keeps_reference())
+            s.sort_image(grid, this->periodic, this->threads);
+        else if (!s.table.sort(grid, s.points(), this->threads))
             s.reorder(s.table.order(), this->threads);
-        }
     }
 };
 

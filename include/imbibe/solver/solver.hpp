@@ -54,7 +54,7 @@ public:
     using FieldsOf = typename Scene::template FieldsOf<P>;
     /// Holds the particles and runs the loops; for integrators and for parts of the library.
     using Engine = detail::Engine<dimension, Real, Scene>;
-    /// How the particles of a phase are stored.
+    /// The columns of a phase.
     template <class P>
     using State = typename Engine::template State<P>;
     /// A place, m.
@@ -98,7 +98,7 @@ public:
     int hold(PhaseHandle<P>, const Held& held) {
         int number = 0;
         if constexpr (detail::contains<Mobility, FieldsOf<P>>) {
-            auto& s = *find_phase<P>(engine_);
+            const auto s = find_phase<P>(engine_);
             for (int i = 0; i < s.size(); ++i)
                 if (held(position_of(s, i))) {
                     s.field(mobility)[i] = Real(0);
@@ -119,7 +119,7 @@ public:
     int remove_if(PhaseHandle<P>, const Gone& gone) {
         if constexpr (State<P>::keeps_reference)
             detail::break_rule<rules::RemovedFromReference<P, remove_particles_of_other_phases_only>>();
-        auto& s = *find_phase<P>(engine_);
+        const auto s = find_phase<P>(engine_);
         std::vector<char> keep(static_cast<std::size_t>(s.size()), 1);
         int removed = 0;
         for (int i = 0; i < s.size(); ++i)
@@ -128,7 +128,7 @@ public:
                 ++removed;
             }
         if (removed > 0)
-            s.compress(keep);
+            s.store.compress(keep);
         return removed;
     }
     /// The coefficients of a coupling, to read or to change: `scene.coupling<Contact>().set(...)`.
@@ -148,15 +148,15 @@ public:
     /// One phase of the scene. The views of its fields are valid until the next step: particles are re-sorted.
     template <class P, class S>
     struct PhaseView {
-        /// Where the particles are kept.
-        S& state;
+        /// The columns of its particles.
+        S state;
         /// Looks at the particles of `where`.
-        explicit PhaseView(S& where) : state(where) {}
+        explicit PhaseView(const S& where) : state(where) {}
         /// Looks where another view looks.
         PhaseView(const PhaseView&) = default;
         /// Looks where `other` looks: `view = scene[water]`. Copies no numbers; a view of a field copies them.
         PhaseView& operator=(const PhaseView& other) {
-            S& where = other.state; // taken first: `other` may be this view
+            const S where = other.state; // taken first: `other` may be this view
             return *std::construct_at(this, where);
         }
         /// A field of all particles, n rows and one column per component, no copy: `scene[water][velocity]`.
@@ -175,12 +175,12 @@ public:
     template <class P>
     PhaseView<P, State<P>> operator[](PhaseHandle<P>) {
         may_have_changed_ = true;
-        return PhaseView<P, State<P>>(*find_phase<P>(engine_));
+        return PhaseView<P, State<P>>(find_phase<P>(engine_));
     }
     /// The same, to read.
     template <class P>
-    PhaseView<P, const State<P>> operator[](PhaseHandle<P>) const {
-        return PhaseView<P, const State<P>>(*find_phase<P>(engine_));
+    auto operator[](PhaseHandle<P>) const {
+        return PhaseView<P, typename Engine::template ConstState<P>>(find_phase<P>(engine_));
     }
     /// The same by the phase's type.
     template <class P>
@@ -206,7 +206,8 @@ public:
     /// How many particles all phases have together.
     long long particles() const {
         long long n = 0;
-        engine_.for_each_phase([&](auto, const auto& s) { n += s.size(); });
+        for (const auto& s : engine_.phases)
+            n += s.size();
         return n;
     }
     /// What deserves a look but is no error, found while particles were added, before the first step and during the
@@ -305,11 +306,10 @@ public:
     bool search_is_due() const { return engine_.search_is_due(); }
     /// Throws Error, with `words` before it, if a coordinate of any particle is not a finite number.
     void require_finite(const std::string& words) const {
-        engine_.for_each_phase([&]<class P>(std::type_identity<P>, const State<P>& s) {
+        for (const auto& s : engine_.phases)
             if (s.size() > 0)
                 require(search::bounds_of(s.points(), engine_.threads).not_finite < 0, words,
-                        "a coordinate of a particle of phase ", detail::type_name<P>(), " is not a finite number");
-        });
+                        "a coordinate of a particle of phase ", s.name, " is not a finite number");
     }
     /// For checkpoints (output/checkpoint.hpp): hands everything that makes up the state of the scene to `archive`,
     /// which writes it or reads it back, in the order of this function. Particles are sorted, so views end here.
@@ -363,7 +363,7 @@ private:
     double shortened_ = 1; // the part of shorten_steps in settings_
     TimeStepLimit last_step_{0, "none yet", "start"};
     detail::Warnings warnings_;
-    detail::SceneWatch<Engine> watch_;
+    detail::SceneWatch watch_;
 
     void take(const TimeStepLimit& chosen);
     // From what was given, so that a restarted run rounds as the run did.
@@ -407,9 +407,9 @@ private:
     template <class P>
     static auto find_phase(auto& engine) {
         if constexpr (in_the_scene<P, Phases, list_the_phase_in_the_solver>())
-            return &engine.template state<P>();
+            return engine.template state<P>();
         else
-            return &detail::nothing<State<P>>();
+            return detail::nothing<State<P>>();
     }
     template <class C>
     static auto find_coupling(auto& engine) {
@@ -460,7 +460,7 @@ private:
         (check_phase<P>(engine_.template state<P>()), ...);
     }
     template <class P>
-    void check_phase(const State<P>& s) const {
+    void check_phase(const auto& s) const {
         if (s.size() > 0) {
             s.material.check(detail::type_name<P>());
             require_support(s.material.support_radius, detail::type_name<P>());
@@ -528,7 +528,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
         for (int d = 0; d < dim; ++d)
             require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
                     "; all coordinates must be finite numbers, m");
-    auto& s = *find_phase<P>(engine_);
+    const auto s = find_phase<P>(engine_);
     P complete = material;
     complete.spacing = spacing;
     complete.support_radius = support;
@@ -543,7 +543,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
     const std::vector<Point> places = stored_places(points);
     detail::require_distinct_places<dim>(
         places, s.size(), [&](int i) { return place_of(s, i); }, spacing, engine_.periodic, name);
-    if constexpr (detail::contains<detail::Link<P, P, true>, typename Engine::Links>)
+    if constexpr (detail::contains<detail::LinkType<P, P, true>, typename Engine::Links>)
         detail::require_unstrained_neighbours<dim>(
             places, s.size(), [&](int i) { return place_of(s, i, reference_position); },
             [&](int i) { return place_of(s, i); }, support, engine_.periodic,
@@ -552,7 +552,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
         s.material = complete;
     detail::note_doubts_of_material<dim>(warnings_, s.material, name, typename P::terms{});
     const int before = s.size();
-    s.resize(before + static_cast<int>(points.size()));
+    s.store.resize(before + static_cast<int>(points.size()));
     const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
     for (int k = 0; k < static_cast<int>(points.size()); ++k) {
         const Point& x = places[static_cast<std::size_t>(k)];
@@ -595,7 +595,7 @@ void Solver<dim, Real_, Integrator_, Items...>::prepare() {
     engine_.search_neighbours();
     if (anew &&
         steps_ == 0) // what is added to a run has been looked at by then, or motion has brought the two together
-        detail::note_doubts_of_scene(warnings_, engine_, settings_.origin, outline(), Phases{}, Couplings{});
+        detail::note_doubts_of_scene(warnings_, engine_, settings_.origin, outline());
     if (!prepared_)
         watch_.look_at_added(engine_, settings_.origin, time_, warnings_);
     if (anew) {

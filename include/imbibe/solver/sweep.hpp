@@ -2,7 +2,8 @@
 // its own runs in a fixed order and nobody else writes there, so threads never race and never change a bit.
 #pragma once
 
-#include <imbibe/solver/state.hpp>
+#include <imbibe/solver/nodes.hpp>
+#include <imbibe/solver/phase_store.hpp>
 
 namespace imbibe::detail {
 
@@ -239,10 +240,11 @@ IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector
 }
 
 /// Adds to `sums` what the neighbours of particle i from one source contribute, run by run and node by node.
-template <class S, class ListB, class... N, class A, class ListA, class Adds, class Own, int dim, class Real, int width,
+/// @tparam S the source, with the fields ListB, @tparam A the particle's phase, with the fields ListA
+template <class S, class ListB, class A, class ListA, class... N, class Adds, class Own, int dim, class Real, int width,
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
-                          const PhaseState<A, ListA, dim, Real>& state, const Own& a,
+                          const PhaseStore<dim, Real>& state, const Own& a,
                           const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
                           const typename S::B& material_b, int i, const search::RunList::Range& own_runs,
                           const PartTuple& parts) {
@@ -261,7 +263,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
         return;
     own_runs.for_each_image([&](const search::Run* run, const search::Run* end, int through) IMBIBE_INLINE_LAMBDA {
         // Such a phase is not wrapped, but its runs were found as if it were.
-        constexpr bool seen_elsewhere = PhaseState<A, ListA, dim, Real>::keeps_reference && !S::reference;
+        constexpr bool seen_elsewhere = contains<ReferencePosition, ListA> && !S::reference;
         std::conditional_t<seen_elsewhere, Vector<Real, dim>, const Vector<Real, dim>&> image =
             source.images[static_cast<std::size_t>(through)];
         Vector<T, dim> place; // of the particle, as seen through the image

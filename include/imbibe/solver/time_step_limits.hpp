@@ -153,7 +153,7 @@ private:
     template <class Term, class P>
     TimeStepInput with_extremes(TimeStepInput in) const {
         if constexpr (requires { typename Term::limit_by_greatest; }) {
-            const auto& s = engine_.template state<P>();
+            const auto s = engine_.template state<P>();
             in.greatest = static_cast<double>(s.view(typename Term::limit_by_greatest{}).maxCoeff());
         }
         if constexpr (requires { typename Term::limit_by_least_trace; }) {

@@ -8,6 +8,7 @@
 #include <imbibe/geometry/point.hpp>
 #include <imbibe/solver/closed_fluid.hpp>
 #include <imbibe/solver/layout_checks.hpp>
+#include <imbibe/solver/neighbourhood.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -65,14 +66,13 @@ std::string warning_of_support(double ratio, const std::string& name) {
 
 /// A sentence if particles of two phases that see each other start nearer than 0.3 of their mean spacing, or an empty
 /// one. No error, even where they coincide: phases that drag or heat each other may well be in the same place.
-/// @param link the phases' link, @param engine the scene it belongs to, @param origin of its coordinates, m
-template <class Link, class Engine, class Origin>
-std::string warning_of_overlap(const Link& link, const Engine& engine, const Origin& origin) {
-    const auto& a = engine.template state<typename Link::A>();
-    const auto& b = engine.template state<typename Link::B>();
-    const auto pairs = engine.pairs_of(link);
-    const double spacing = 0.5 * (a.material.spacing + b.material.spacing);
-    if (!(pairs.nearest(engine.threads) < 0.3 * spacing))
+/// @param link the phases' link, @param scene after a search, @param origin of its coordinates, m
+template <int dim, class Real, class Origin>
+std::string warning_of_overlap(const Link& link, const Neighbourhood<dim, Real>& scene, const Origin& origin) {
+    const auto &a = scene.phase(link.row.a), &b = scene.phase(link.row.b);
+    const auto pairs = scene.pairs_of(link);
+    const double spacing = 0.5 * (a.numbers().spacing + b.numbers().spacing);
+    if (!(pairs.nearest(scene.threads) < 0.3 * spacing))
         return {};
     int i = 0; // of the nearest pair
     double least = pairs.nearest_of(0).second;
@@ -81,61 +81,41 @@ std::string warning_of_overlap(const Link& link, const Engine& engine, const Ori
             i = k;
             least = distance;
         }
-    Point<Engine::dimension> place;
-    for (int d = 0; d < Engine::dimension; ++d) {
+    Point<dim> place;
+    for (int d = 0; d < dim; ++d) {
         const auto axis = static_cast<std::size_t>(d);
         place[d] = static_cast<double>(a.points().x[axis][i]) + origin[axis];
     }
-    return text(type_name<typename Link::A>(), " and ", type_name<typename Link::B>(),
-                " overlap at the start: one pair is ", least, " m apart, ", least / spacing,
-                " of their mean spacing, at ", point_text<Engine::dimension>(place),
+    return text(a.name, " and ", b.name, " overlap at the start: one pair is ", least, " m apart, ", least / spacing,
+                " of their mean spacing, at ", point_text<dim>(place),
                 ". What pushes them apart may throw them; half a ",
                 "spacing from face to face is usual. `fill(a - b, spacing)` and `remove_if` leave out what is in the ",
                 "other's way");
-}
-
-/// Does one of some couplings tie phases A and B together?
-template <class A, class B, class... C>
-constexpr bool are_coupled(TypeList<C...>) {
-    return (((std::is_same_v<A, typename C::First> && std::is_same_v<B, typename C::Second>) ||
-             (std::is_same_v<B, typename C::First> && std::is_same_v<A, typename C::Second>)) ||
-            ...);
 }
 
 /// A sentence if particles of a phase are further apart than the spacing that they were added with, which gives their
 /// mass, or an empty one. The nearest one is a spacing away on square and cubic lattices, 1.12 on a face-centred one,
 /// and 0.6 where particles of a lattice are moved at random by up to 0.3 spacings. (Nearer ones are crowded.)
 /// @param link of the phase to itself
-template <class Link, class Engine>
-std::string warning_of_other_spacing(const Link& link, const Engine& engine) {
-    using P = typename Link::A;
-    const double spacing = engine.template state<P>().material.spacing;
-    const double apart = engine.pairs_of(link).median_nearest();
+template <int dim, class Real>
+std::string warning_of_other_spacing(const Link& link, const Neighbourhood<dim, Real>& scene) {
+    const auto& s = scene.phase(link.row.a);
+    const double spacing = s.numbers().spacing, apart = scene.pairs_of(link).median_nearest();
     if (apart == 0 || apart < 1.4 * spacing) // 0: none has another within reach
         return {};
-    return text(type_name<P>(), ": its particles were added with a spacing of ", spacing, " m, and the next one is ",
-                apart, " m away (the median). Each has the mass density * spacing^dim, so the spacing must be that of ",
+    return text(s.name, ": its particles were added with a spacing of ", spacing, " m, and the next one is ", apart,
+                " m away (the median). Each has the mass density * spacing^dim, so the spacing must be that of ",
                 "the points");
 }
 
 /// A sentence if a coupling pushes a fluid by pressure, and the fluid's density, which follows from its motion, does
-/// not count the other phase, or an empty one. The pressure then does not rise where the fluid comes nearer, and it
-/// goes through, unless there is a repulsion, which rises by itself.
-/// @param engine after a search
-template <class C, class P, class Engine>
-std::string warning_of_no_continuity(const Engine& engine) {
-    using Other = std::conditional_t<std::is_same_v<P, typename C::First>, typename C::Second, typename C::First>;
-    using Terms = typename C::terms;
-    if constexpr (is_fluid<P> && has_effect_on<P, effects::continuity_equation>(typename P::terms{}) &&
-                  has_effect_on<P, effects::pressure_force>(Terms{}) &&
-                  !has_effect_on<P, effects::continuity_equation>(Terms{}) && !asks_for_nearest(Terms{}))
-        if (!engine.template are_apart<P, Other>()) {
-            const std::string fluid = type_name<P>(), other = type_name<Other>(), coupling = type_name<C>();
-            return text(coupling, " pushes ", fluid, " by pressure, but the density of ", fluid, " does not count ",
-                        other, ", so that the pressure does not rise where the two come nearer. List the ", fluid,
-                        "'s continuity equation in ", coupling, " too, as in Into<", fluid, ", VolumeContinuity<K>>");
-        }
-    return {};
+/// not count the other phase. The pressure then does not rise where the fluid comes nearer, and it goes through, unless
+/// there is a repulsion, which rises by itself.
+inline std::string warning_of_no_continuity(const std::string& coupling, const std::string& fluid,
+                                            const std::string& other) {
+    return text(coupling, " pushes ", fluid, " by pressure, but the density of ", fluid, " does not count ", other,
+                ", so that the pressure does not rise where the two come nearer. List the ", fluid,
+                "'s continuity equation in ", coupling, " too, as in Into<", fluid, ", VolumeContinuity<K>>");
 }
 
 /// The greatest difference of the potential of gravity (m/s^2), m^2/s^2, between particles of one body of a fluid;
@@ -160,48 +140,47 @@ inline double greatest_head(const Outline& fluid, const Coordinates& gravity, co
 
 /// A sentence if a fluid is compressed by a twentieth under its own weight, or an empty one. Bodies of it that do not
 /// touch do not press on each other.
-/// @param engine after a search
-template <class P, class Engine>
-std::string warning_of_soft_fluid(const Engine& engine, const Outline& outline, const OutlineOfScene& scene) {
-    if constexpr (is_fluid<P>) {
-        const auto& s = engine.template state<P>();
-        double potential = 0; // of the highest particle over the lowest, m^2/s^2
-        for (std::size_t d = 0; d < static_cast<std::size_t>(Engine::dimension) && s.size() > 0; ++d)
-            if (engine.periodic.length[d] == 0)
-                potential += std::abs(engine.gravity[static_cast<int>(d)]) * (s.bounds.upper[d] - s.bounds.lower[d]);
-        const double stiffness = sq(s.material.sound_speed);
-        if (potential > 0.05 * stiffness) {
-            Coordinates gravity{};
-            for (int d = 0; d < Engine::dimension; ++d)
-                gravity[static_cast<std::size_t>(d)] = engine.gravity[d];
-            potential = greatest_head(outline, gravity, scene);
-        }
-        if (potential > 0.05 * stiffness)
-            return text(type_name<P>(), ": with a sound speed of ", s.material.sound_speed, " m/s its weight alone ",
-                        "compresses it by ", 100 * potential / stiffness, " % at the bottom; ",
-                        std::sqrt(200 * potential), " m/s, ten times the speed of a fall from top to bottom, is usual");
+/// @param scene after a search, @param outline its own
+template <int dim, class Real>
+std::string warning_of_soft_fluid(const Neighbourhood<dim, Real>& scene, int phase, const OutlineOfScene& outline) {
+    const auto& s = scene.phase(phase);
+    if (!s.row->fluid || s.size() == 0)
+        return {};
+    Coordinates gravity{};
+    double potential = 0; // of the highest particle over the lowest, m^2/s^2
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d) {
+        gravity[d] = scene.gravity[static_cast<int>(d)];
+        if (scene.periodic.length[d] == 0)
+            potential += std::abs(gravity[d]) * (s.bounds.upper[d] - s.bounds.lower[d]);
     }
-    return {};
+    const double sound_speed = s.numbers().sound_speed, stiffness = sq(sound_speed);
+    if (potential > 0.05 * stiffness)
+        potential = greatest_head(outline[phase], gravity, outline);
+    if (!(potential > 0.05 * stiffness))
+        return {};
+    return text(s.name, ": with a sound speed of ", sound_speed, " m/s its weight alone compresses it by ",
+                100 * potential / stiffness, " % at the bottom; ", std::sqrt(200 * potential),
+                " m/s, ten times the speed of a fall from top to bottom, is usual");
 }
 
 /// A sentence if a scene in float lies so far from its origin that forces lose digits which they have near it, or an
 /// empty one. A scene that is itself as wide as that is not helped by another origin.
-/// @param engine after a search, @param origin of its coordinates, m
-template <class Engine, class Origin>
-std::string warning_of_far_origin(const Engine& engine, const Origin& origin) {
-    constexpr int dim = Engine::dimension;
+/// @param scene after a search, @param origin of its coordinates, m
+template <int dim, class Real, class Origin>
+std::string warning_of_far_origin(const Neighbourhood<dim, Real>& scene, const Origin& origin) {
+    if (!std::is_same_v<Real, float>)
+        return {};
     Point<dim> lower = Point<dim>::Constant(std::numeric_limits<double>::infinity()), upper = -lower, centre;
     double spacing = std::numeric_limits<double>::infinity();
-    engine.for_each_phase([&](auto, const auto& s) {
-        using Real = std::remove_cvref_t<decltype(*s.points().x[0])>;
-        if (!std::is_same_v<Real, float> || s.size() == 0)
-            return;
-        spacing = std::min(spacing, s.material.spacing);
+    for (const auto& s : scene.phases) {
+        if (s.size() == 0)
+            continue;
+        spacing = std::min(spacing, s.numbers().spacing);
         for (int d = 0; d < dim; ++d) {
             lower[d] = std::min(lower[d], static_cast<double>(s.bounds.lower[static_cast<std::size_t>(d)]));
             upper[d] = std::max(upper[d], static_cast<double>(s.bounds.upper[static_cast<std::size_t>(d)]));
         }
-    });
+    }
     if (!std::isfinite(spacing))
         return {};
     const double away = std::max(lower.cwiseAbs().maxCoeff(), upper.cwiseAbs().maxCoeff());
@@ -215,20 +194,15 @@ std::string warning_of_far_origin(const Engine& engine, const Origin& origin) {
 }
 
 /// A sentence if two fluids that meet have different support radii, or an empty one.
-template <class C, class Engine>
-std::string warning_of_other_support(const Engine& engine) {
-    using A = typename C::First;
-    using B = typename C::Second;
-    if constexpr (is_fluid<A> && is_fluid<B>) {
-        const auto& a = engine.template state<A>();
-        const auto& b = engine.template state<B>();
-        const double of_a = a.material.support_radius, of_b = b.material.support_radius;
-        if (a.size() > 0 && b.size() > 0 && std::abs(of_a - of_b) > 1e-9 * (of_a + of_b))
-            return text(type_name<A>(), " and ", type_name<B>(), " have support radii of ", of_a, " and ", of_b,
-                        " m; sums over each other reach the greater one, so that pushes from both sides do not cancel ",
-                        "in the other fluid; give both the same");
-    }
-    return {};
+template <class Phase>
+std::string warning_of_other_support(const Phase& a, const Phase& b) {
+    const double of_a = a.numbers().support_radius, of_b = b.numbers().support_radius;
+    if (!a.row->fluid || !b.row->fluid || a.size() == 0 || b.size() == 0 ||
+        std::abs(of_a - of_b) <= 1e-9 * (of_a + of_b))
+        return {};
+    return text(a.name, " and ", b.name, " have support radii of ", of_a, " and ", of_b,
+                " m; sums over each other reach the greater one, so that pushes from both sides do not cancel ",
+                "in the other fluid; give both the same");
 }
 
 /// A sentence if a phase is less compressible than a law of its stress bears, or an empty one.
@@ -253,49 +227,51 @@ void note_doubts_of_material(Warnings& warnings, const P& material, const std::s
 }
 
 /// Notes what is doubtful about how the particles of a scene lie, and about what its couplings count.
-/// @param engine after a search, @param origin of its coordinates, m, @param scene its outline
-template <class Engine, class Origin, class... P, class... C>
-void note_doubts_of_scene(Warnings& warnings, const Engine& engine, const Origin& origin, const OutlineOfScene& scene,
-                          TypeList<P...>, TypeList<C...>) {
-    const auto outline = [&]<class Q>(std::type_identity<Q>) -> const Outline& {
-        return scene[Engine::Composition::template phase_index<Q>];
-    };
-    [[maybe_unused]] const auto look_at_coupling = [&]<class Q>(std::type_identity<Q>, double nearest) {
-        using A = typename Q::First;
-        using B = typename Q::Second;
-        const Outline &a = outline(std::type_identity<A>{}), &b = outline(std::type_identity<B>{});
-        const double reach = engine.template support<A, B>();
+/// @param scene after a search, @param origin of its coordinates, m, @param outline its own
+template <int dim, class Real, class Origin>
+void note_doubts_of_scene(Warnings& warnings, const Neighbourhood<dim, Real>& scene, const Origin& origin,
+                          const OutlineOfScene& outline) {
+    const auto& couplings = scene.table.couplings;
+    for (std::size_t k = 0; k < couplings.size(); ++k) {
+        const CouplingRow& row = couplings[k];
+        const Link* const link = scene.link_of_coupling(static_cast<int>(k));
+        if (link == nullptr)
+            continue;
+        warnings.note(warning_of_overlap(*link, scene, origin));
+        const Outline &a = outline[row.first], &b = outline[row.second];
+        const double reach = scene.support(row.first, row.second);
         if (a.size() == 0 || b.size() == 0)
-            return;
+            continue;
         warnings.note(warning_of_wide_spacing(a, b, reach));
-        warnings.note(warning_of_other_lattice(a, b, nearest, scene.dim));
-        if constexpr (is_fluid<A> != is_fluid<B> &&
-                      !asks_for_nearest(typename Q::terms{})) // a repulsion holds by itself
-            warnings.note(warning_of_thin_wall(is_fluid<A> ? b : a, is_fluid<A> ? a : b, reach, scene));
-    };
-    (engine.template with_link_of<C>([&](const auto& link) {
-        warnings.note(warning_of_overlap(link, engine, origin));
-        look_at_coupling(std::type_identity<C>{}, engine.pairs_of(link).nearest(engine.threads));
-    }),
-     ...);
-    const auto look_at = [&]<class A>(std::type_identity<A> phase) {
-        const Outline& a = outline(phase);
+        warnings.note(warning_of_other_lattice(a, b, scene.pairs_of(*link).nearest(scene.threads), outline.dim));
+        const bool flows_a = a.kind == Kind::fluid, flows_b = b.kind == Kind::fluid;
+        if (flows_a != flows_b && !row.asks_for_nearest) // a repulsion holds by itself
+            warnings.note(warning_of_thin_wall(flows_a ? b : a, flows_a ? a : b, reach, outline));
+    }
+    for (std::size_t k = 0; k < scene.phases.size(); ++k) {
+        const int phase = static_cast<int>(k);
+        const Outline& a = outline[phase];
         if (a.size() == 0)
-            warnings.note(text(type_name<A>(), " has no particles; was scene.add forgotten?"));
-        warnings.note(warning_of_soft_fluid<A>(engine, a, scene));
-        warnings.note(warning_of_no_shifting<A>(engine));
+            warnings.note(text(a.name, " has no particles; was scene.add forgotten?"));
+        warnings.note(warning_of_soft_fluid(scene, phase, outline));
+        warnings.note(warning_of_no_shifting(scene, phase));
         if (a.kind == Kind::solid)
-            warnings.note(warning_of_one_layer(a, scene));
+            warnings.note(warning_of_one_layer(a, outline));
+    }
+    for (const Link& link : scene.links)
+        if (link.row.a == link.row.b)
+            warnings.note(warning_of_other_spacing(link, scene));
+    warnings.note(warning_of_far_origin(scene, origin));
+    for (const CouplingRow& row : couplings)
+        warnings.note(warning_of_other_support(scene.phase(row.first), scene.phase(row.second)));
+    const auto look_at_density = [&](const CouplingRow& row, int fluid, int other, bool uncounted) {
+        if (uncounted && !scene.are_apart(fluid, other))
+            warnings.note(warning_of_no_continuity(row.name(), scene.phase(fluid).name, scene.phase(other).name));
     };
-    (look_at(std::type_identity<P>{}), ...);
-    engine.for_each_link([&]<class L>(const L& link) {
-        if constexpr (std::is_same_v<typename L::A, typename L::B>)
-            warnings.note(warning_of_other_spacing(link, engine));
-    });
-    warnings.note(warning_of_far_origin(engine, origin));
-    (warnings.note(warning_of_other_support<C>(engine)), ...);
-    (warnings.note(warning_of_no_continuity<C, typename C::First>(engine)), ...);
-    (warnings.note(warning_of_no_continuity<C, typename C::Second>(engine)), ...);
+    for (const CouplingRow& row : couplings)
+        look_at_density(row, row.first, row.second, row.first_counts_no_second);
+    for (const CouplingRow& row : couplings)
+        look_at_density(row, row.second, row.first, row.second_counts_no_first);
 }
 
 } // namespace imbibe::detail

@@ -65,7 +65,7 @@ struct Subcycled {
             engine.template run<typename Composition::template OwnTerms<Fast>>(0);
             engine.template run<typename Composition::template AllButOwnTerms<Fast>>(0); // its share of sums
             engine.template run<typename Composition::template OwnTerms<Fast>>(0);
-            auto& fast = engine.template state<Fast>();
+            auto fast = engine.template state<Fast>();
             std::copy_n(fast.field(velocity), Engine::dimension * fast.stride(), fast.field(mean_velocity));
         } else {
             detail::break_rule<rules::SubcycledWithoutMean<Fast, list_the_term_TimeAveragedMotion_in_the_phase>>();
@@ -79,7 +79,7 @@ struct Subcycled {
     static void step(Engine& engine, double dt, int substeps) {
         using Composition = typename Engine::Composition;
         using Own = typename Composition::template OwnTerms<Fast>;
-        auto& fast = engine.template state<Fast>();
+        auto fast = engine.template state<Fast>();
         engine.find_neighbours();
 
         exchange(engine); // the others see the mean velocity
@@ -111,7 +111,7 @@ private:
 
     template <class Engine>
     static void exchange(Engine& engine) {
-        auto& s = engine.template state<Fast>();
+        auto s = engine.template state<Fast>();
         auto *v = s.field(velocity), *mean = s.field(mean_velocity);
         std::swap_ranges(v, v + Engine::dimension * s.stride(), mean);
     }

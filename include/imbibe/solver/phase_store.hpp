@@ -1,14 +1,12 @@
-// The particles of one phase: one stretch of memory per component of each field (structure of arrays), and the
-// order in which they lie there.
+// The particles of one phase: one stretch of memory per component of each field (structure of arrays), the order in
+// which they lie there, and the sorted copy through which others see a phase that stays in its own order. Which column
+// is what says the phase's row in the tables of the scene.
 #pragma once
 
 #include <imbibe/core/memory.hpp>
 #include <imbibe/search/neighbours.hpp>
-#include <imbibe/solver/composition.hpp>
 #include <imbibe/solver/loops.hpp>
-#include <imbibe/solver/rules.hpp>
-
-#include <Eigen/Core>
+#include <imbibe/solver/tables.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,30 +17,30 @@
 
 namespace imbibe::detail {
 
-/// The values of one field of all particles: n rows, one column per component. Their order in memory is said here, as a
-/// host may have changed Eigen's default (EIGEN_DEFAULT_TO_ROW_MAJOR).
-template <class Real, int columns>
-using FieldValues = Eigen::Matrix<Real, Eigen::Dynamic, columns, Eigen::ColMajor>;
+/// How fast a phase moves.
+struct Motion {
+    double speed = 0;             ///< the greatest speed in the scene's frame (SceneStore::frame), m/s
+    double acceleration = 0;      ///< the greatest acceleration, m/s^2
+    double fastest = 0;           ///< the greatest of the velocities as they are, m/s
+    std::array<double, 3> mean{}; ///< of the velocities, m/s
+};
 
-/// Eigen's view of one field of all particles, no copy.
-/// @tparam Numbers FieldValues or const FieldValues
-template <class Numbers>
-using FieldView = Eigen::Map<Numbers, 0, Eigen::OuterStride<>>;
-
-/// @tparam List the fields of the phase
-template <class P, class List, int dim, class Real>
-class IMBIBE_PER_BUILD PhaseState {
+template <int dim, class Real>
+class IMBIBE_PER_BUILD PhaseStore {
 public:
-    static constexpr int component_total = component_count<dim, List>;
-    template <class F>
-    static constexpr int offset = component_offset<dim, F, List>;
-    template <class F>
-    static constexpr bool stores = contains<F, List>;
-    static constexpr bool keeps_reference = stores<ReferencePosition>;
+    using Number = Real;
+    static constexpr int dimension = dim;
 
-    P material{};
+    const PhaseRow* row = nullptr;
+    std::string name;               ///< of the phase, among all of the scene
+    std::any material;              ///< an object of the phase's type
     std::vector<std::uint32_t> ids; ///< the number of each particle in the order in which they were added
+    Motion motion;
+    double travelled = 0; ///< how far its particles can have come since the last search, m
 
+    explicit PhaseStore(const PhaseRow& of) : row(&of), name(of.name()), material(of.material()) {}
+
+    PhaseNumbers numbers() const { return row->numbers(material); }
     int size() const { return n; }
     Real* data() { return values.data(); }
     const Real* data() const { return values.data(); }
@@ -50,53 +48,28 @@ public:
     /// Component k of the phase's fields, for all particles.
     Real* column(int k) { return values.data() + static_cast<std::size_t>(k) * step; }
     const Real* column(int k) const { return values.data() + static_cast<std::size_t>(k) * step; }
-    template <class F>
-    Real* field(F) {
-        return column(offset<F>);
-    }
-    template <class F>
-    const Real* field(F) const {
-        return column(offset<F>);
-    }
-    template <class F>
-    auto view(F) {
-        check_stored<F>();
-        constexpr int columns = components(F::rank, dim);
-        return FieldView<FieldValues<Real, columns>>(field(F{}), n, columns,
-                                                     Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
-    }
-    template <class F>
-    auto view(F) const {
-        check_stored<F>();
-        constexpr int columns = components(F::rank, dim);
-        return FieldView<const FieldValues<Real, columns>>(field(F{}), n, columns,
-                                                           Eigen::OuterStride<>(static_cast<Eigen::Index>(step)));
-    }
-    search::Points<dim, Real> points() const { return points_of(position); }
-    template <class F>
-    search::Points<dim, Real> points_of(F) const {
-        search::Points<dim, Real> p;
-        p.n = n;
-        for (int d = 0; d < dim; ++d)
-            p.x[static_cast<std::size_t>(d)] = column(offset<F> + d);
-        return p;
-    }
+    /// The same, or null for a field that is not stored.
+    const Real* column_if(int k) const { return k < 0 ? nullptr : column(k); }
+    search::Points<dim, Real> points() const { return points_of(row->position); }
+    /// A vector field as points.
+    search::Points<dim, Real> points_of(int first) const { return points_in(values, first); }
 
     /// Changes the number of particles; the values of those that stay are kept, new ones are zero.
     void resize(int count) {
         ids.reserve(static_cast<std::size_t>(count)); // nothing has changed where there is no memory
         disturbed = true;
+        note_all_written();
         const std::size_t wanted = stride_for(count);
         if (wanted != step) {
-            AlignedVector<Real> grown(wanted * static_cast<std::size_t>(component_total), Real(0));
-            for (int k = 0; k < component_total; ++k)
+            AlignedVector<Real> grown(wanted * columns(), Real(0));
+            for (int k = 0; k < row->components; ++k)
                 std::copy_n(column(k), std::min(n, count), grown.data() + static_cast<std::size_t>(k) * wanted);
             values.swap(grown);
             spare.clear();
             image.clear();
             step = wanted;
         }
-        for (int k = 0; k < component_total; ++k)
+        for (int k = 0; k < row->components; ++k)
             std::fill(column(k) + std::min(n, count), column(k) + step, Real(0));
         n = count;
         const std::size_t known = ids.size();
@@ -111,7 +84,7 @@ public:
     /// Puts the particles into a new order: particle order[k] moves to k. All components are carried along.
     void reorder(const std::vector<std::uint32_t>& order, int threads) {
         spare.resize(values.size());
-        gather(column(0), spare.data(), component_total, order, threads);
+        gather(column(0), spare.data(), row->components, order, threads);
         values.swap(spare);
         std::memcpy(spare.data(), ids.data(), ids.size() * sizeof(ids[0])); // what `spare` held is of no use any more
         const auto* const before = reinterpret_cast<const std::byte*>(spare.data());
@@ -134,14 +107,14 @@ public:
 
     /// Pair loops load whole packs, also beyond the last particle. What they find there is masked, but must be legal
     /// numbers in any formula (a density of zero is not): copies of the last particle. To be called after writing.
-    void pad() { pad(values); }
+    void pad() { pad(values, 0, row->components); }
 
     // ---- places at the last search, of a phase that only a host moves ----
     /// Keeps a copy of the positions.
-    void remember_places() { places_then.assign(column(offset<Position>), column(offset<Position>) + dim * step); }
+    void remember_places() { places_then.assign(column(row->position), column(row->position) + dim * step); }
     /// How far the particle is that has moved farthest since, m.
     double farthest_since(int threads) const {
-        const Real *now = column(offset<Position>), *then = places_then.data();
+        const Real *now = column(row->position), *then = places_then.data();
         const auto block = [&](int begin, int end) {
             double farthest2 = 0;
             for (int i = begin; i < end; ++i) {
@@ -156,64 +129,74 @@ public:
     }
 
     // ---- the sorted copy through which others see a phase that keeps its reference order ----
-    /// Notes how far each particle is outside the periodic box, in whole periods, at a search: until the next one it is
-    /// seen that far from where it is, whatever sides it crosses meanwhile, for so its neighbours were found.
-    void note_periods(const search::Periodic<dim>& periodic) {
-        for (std::size_t d = 0; d < dim; ++d) {
-            auto& outside = periods_outside[d];
-            outside.clear();
-            if (periodic.length[d] == 0)
-                continue;
-            const Real low = static_cast<Real>(periodic.lower[d]), length = static_cast<Real>(periodic.length[d]);
-            const Real* x = column(offset<Position> + static_cast<int>(d));
-            outside.resize(static_cast<std::size_t>(n));
-            for (std::size_t i = 0; i < outside.size(); ++i)
-                outside[i] = length * std::round((x[i] - search::into_period(x[i], low, length)) / length);
-        }
-    }
     /// Where others see coordinate d of particle i, if the phase keeps its reference order, m.
     IMBIBE_INLINE Real seen_at(int d, int i) const {
-        const Real x = column(offset<Position> + d)[i];
+        const Real x = column(row->position + d)[i];
         const auto& outside = periods_outside[static_cast<std::size_t>(d)];
         return outside.empty() ? x : x - outside[static_cast<std::size_t>(i)];
     }
+    /// Sorts the copy by the cells of a grid. Fields in it stay up to date where the order is what it was.
+    void sort_image(const search::Grid<dim>& grid, const search::Periodic<dim>& periodic, int threads) {
+        const std::vector<std::uint32_t> order = std::move(image_order);
+        image_order.resize(static_cast<std::size_t>(n));
+        for (std::size_t i = 0; i < image_order.size(); ++i)
+            image_order[i] = static_cast<std::uint32_t>(i);
+        note_periods(periodic);
+        copy_places_to_image(threads);
+        if (!table.sort(grid, image_points(), threads)) {
+            image_order = table.order();
+            copy_places_to_image(threads);
+        }
+        if (image_order != order)
+            note_all_written();
+    }
     /// Brings the positions in the copy up to date.
     void copy_places_to_image(int threads) {
-        copy_to_image(offset<Position>, dim, threads);
+        copy_to_image(row->position, dim, threads);
         for (std::size_t d = 0; d < dim; ++d) {
-            Real* x = image_column(offset<Position> + static_cast<int>(d));
+            Real* x = image.data() + static_cast<std::size_t>(row->position) * step + d * step;
             for (std::size_t k = 0; k < periods_outside[d].size(); ++k)
                 x[k] -= periods_outside[d][image_order[k]];
         }
-        pad(image);
+        pad(image, row->position, dim);
     }
-    /// Copies components [first, first + count) into the copy, in the order of the cell table.
-    void copy_to_image(int first, int count, int threads) {
-        image.resize(values.size());
-        gather(column(first), image.data() + static_cast<std::size_t>(first) * step, count, image_order, threads);
-        pad(image);
+    /// Brings field k of the phase, which is not its position, up to date in the copy, if it is not.
+    void refresh_in_image(int k, int threads) {
+        if (fresh.test(k))
+            return;
+        const FieldRow& field = row->fields[static_cast<std::size_t>(k)];
+        copy_to_image(field.first, field.components, threads);
+        fresh.set(k);
     }
-    search::Points<dim, Real> image_points() const {
-        search::Points<dim, Real> p;
-        p.n = n;
-        for (int d = 0; d < dim; ++d)
-            p.x[static_cast<std::size_t>(d)] = image_column(offset<Position> + d);
-        return p;
+    /// The copy of the field that begins at a column may differ from it now.
+    void note_written(int first) {
+        for (std::size_t k = 0; k < row->fields.size() && fresh.any(); ++k)
+            if (row->fields[k].first == first)
+                fresh = fresh - bit(static_cast<int>(k));
     }
-    Real* image_column(int k) { return image.data() + static_cast<std::size_t>(k) * step; }
-    /// The same, to read; null before the first search that finds others within reach.
+    /// The same for all fields.
+    void note_all_written() { fresh = {}; }
+    search::Points<dim, Real> image_points() const { return points_in(image, row->position); }
+    /// Column k of the copy, to read; null before the first search that finds others within reach.
     const Real* image_column(int k) const {
         return image.empty() ? nullptr : image.data() + static_cast<std::size_t>(k) * step;
     }
+    /// The points of the phase as others see it: in the order of the cells.
+    search::Points<dim, Real> seen_points() const { return row->keeps_reference() ? image_points() : points(); }
 
-    /// periods_outside[d][i]: see note_periods, m; empty for a direction that is not periodic.
+    /// periods_outside[d][i]: how far particle i was outside the box at the last search, m; empty for a direction that
+    /// is not periodic.
     std::array<std::vector<Real>, static_cast<std::size_t>(dim)> periods_outside;
 
-    search::CellTable table;                ///< of the present positions
-    std::vector<std::uint32_t> image_order; ///< image[k] is particle image_order[k]
+    search::CellTable table; ///< of the present positions
     search::Bounds<dim> bounds;
     bool within_reach = true; ///< of any other, at the last search? If not, the copy and the table are not kept up
     bool disturbed = true;    ///< were particles added or removed since their neighbours were found?
+
+    // ---- what integrators keep of a step's beginning ----
+    AlignedVector<Real> remembered; ///< positions, velocities and states, in this order
+    AlignedVector<Real> kept_sums;  ///< see SceneEngine::keep_sums
+
     std::size_t bytes() const {
         std::size_t numbers = values.capacity() + spare.capacity() + image.capacity() + places_then.capacity();
         for (const auto& outside : periods_outside)
@@ -222,8 +205,7 @@ public:
     }
 
     /// Bytes that `archive` writes or reads for one particle.
-    static constexpr std::size_t bytes_per_archived_particle =
-        sizeof(std::uint32_t) + sizeof(Real) * static_cast<std::size_t>(component_total);
+    std::size_t bytes_per_archived_particle() const { return sizeof(std::uint32_t) + sizeof(Real) * columns(); }
     /// All particles as they lie in memory, for checkpoints. `count`: how many, known before.
     template <class Archive>
     void archive(Archive& a, int count) {
@@ -233,25 +215,32 @@ public:
         }
         a(next_id);
         a.array(ids.data(), ids.size());
-        for (int k = 0; k < component_total; ++k)
+        for (int k = 0; k < row->components; ++k)
             a.array(column(k), static_cast<std::size_t>(n));
         if constexpr (Archive::reading)
             pad();
     }
 
 private:
-    // One error where a phase has no such field.
-    template <class F>
-    static constexpr void check_stored() {
-        if constexpr (!stores<F>)
-            break_rule<rules::FieldNotStored<F, P, list_a_term_that_uses_it_or_look_at_another>>();
+    static constexpr Bits bit(int k) {
+        Bits one;
+        one.set(k);
+        return one;
     }
+    std::size_t columns() const { return static_cast<std::size_t>(row->components); }
     // Room for the widest pack beyond the end, and an odd number of cache lines, so that the same particle's
     // components do not compete for one place in the cache.
     static std::size_t stride_for(int count) {
         constexpr std::size_t line = 64 / sizeof(Real);
         std::size_t lines = (static_cast<std::size_t>(count) + search::read_beyond) / line + 1;
         return (lines | 1) * line;
+    }
+    search::Points<dim, Real> points_in(const AlignedVector<Real>& from, int first) const {
+        search::Points<dim, Real> p;
+        p.n = n;
+        for (std::size_t d = 0; d < dim; ++d)
+            p.x[d] = from.data() + (static_cast<std::size_t>(first) + d) * step;
+        return p;
     }
     // to[k] = from[order[k]] in each of `count` components.
     void gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order, int threads) const {
@@ -262,12 +251,33 @@ private:
         };
         loop_blocks(static_cast<int>(order.size()), 4096, threads, Callable<void(int, int)>(block));
     }
-    void pad(AlignedVector<Real>& columns) {
+    // Notes how far each particle is outside the periodic box, in whole periods, at a search: until the next one it is
+    // seen that far from where it is, whatever sides it crosses meanwhile, for so its neighbours were found.
+    void note_periods(const search::Periodic<dim>& periodic) {
+        for (std::size_t d = 0; d < dim; ++d) {
+            auto& outside = periods_outside[d];
+            outside.clear();
+            if (periodic.length[d] == 0)
+                continue;
+            const Real low = static_cast<Real>(periodic.lower[d]), length = static_cast<Real>(periodic.length[d]);
+            const Real* x = column(row->position + static_cast<int>(d));
+            outside.resize(static_cast<std::size_t>(n));
+            for (std::size_t i = 0; i < outside.size(); ++i)
+                outside[i] = length * std::round((x[i] - search::into_period(x[i], low, length)) / length);
+        }
+    }
+    // Copies columns [first, first + count) into the copy, in its order.
+    void copy_to_image(int first, int count, int threads) {
+        image.resize(values.size());
+        gather(column(first), image.data() + static_cast<std::size_t>(first) * step, count, image_order, threads);
+        pad(image, first, count);
+    }
+    void pad(AlignedVector<Real>& to, int first, int count) {
         constexpr int lanes = 64 / sizeof(Real);
         if (n == 0)
             return;
-        for (int k = 0; k < component_total; ++k) {
-            Real* end = columns.data() + static_cast<std::size_t>(k) * step + n;
+        for (int k = first; k < first + count; ++k) {
+            Real* end = to.data() + static_cast<std::size_t>(k) * step + n;
             std::fill_n(end, lanes, end[-1]);
         }
     }
@@ -275,6 +285,8 @@ private:
     std::size_t step = 0;
     std::uint32_t next_id = 0;
     AlignedVector<Real> values, spare, image;
+    std::vector<std::uint32_t> image_order; // image[k] is particle image_order[k]
+    Bits fresh;                             // the fields of the copy that are what they are copies of
     std::vector<Real> places_then;
 };
 

@@ -1,0 +1,112 @@
+// All that a running scene consists of: the particles of its phases, its couplings, the lists of neighbours. What is
+// done with it is in the layers above: neighbourhood.hpp, motion.hpp, scene_engine.hpp.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/solver/phase_store.hpp>
+
+#include <limits>
+
+namespace imbibe::detail {
+
+/// The neighbours of one phase's particles among those of another, or of its own.
+struct IMBIBE_PER_BUILD Link {
+    LinkRow row;
+    search::RunList runs;
+    double support = 0; ///< m
+    /// Distance of the nearest pair, m, where a term asks for it (TimeStepInput::nearest).
+    double nearest = std::numeric_limits<double>::infinity();
+    long long sweeps = 0; ///< how often terms were summed over these neighbours
+};
+
+template <int dim, class Real>
+class IMBIBE_PER_BUILD SceneStore {
+public:
+    using Phase = PhaseStore<dim, Real>;
+    static constexpr int dimension = dim, width = native_width<Real>;
+
+    SceneTable table;
+    std::vector<Phase> phases;
+    std::vector<std::any> couplings; ///< an object of each one's type
+    std::vector<Link> links;
+
+    Vector<double, dim> gravity{};
+    /// The velocity of the frame in which speeds are measured, m/s: what limits a step is how fast particles move
+    /// against each other, not how fast all move together. See Neighbourhood::choose_frame.
+    Vector<double, dim> frame{};
+    search::Periodic<dim> periodic;
+    int threads = 1;
+
+    explicit SceneStore(const SceneTable& of) : table(of) {
+        for (const PhaseRow& row : table.phases)
+            phases.emplace_back(row);
+        for (const CouplingRow& row : table.couplings)
+            couplings.push_back(row.coupling());
+        for (const LinkRow& row : table.links)
+            links.push_back({.row = row, .runs = {}});
+    }
+
+    Phase& phase(int k) { return phases[static_cast<std::size_t>(k)]; }
+    const Phase& phase(int k) const { return phases[static_cast<std::size_t>(k)]; }
+    Link& link_at(int k) { return links[static_cast<std::size_t>(k)]; }
+    const Link& link_at(int k) const { return links[static_cast<std::size_t>(k)]; }
+
+    /// H between two phases: that of the fluid, so that what pushes it from two sides is summed over the same reach;
+    /// the greater one of two fluids, and where none is.
+    double support(int a, int b) const {
+        const double of_a = phase(a).numbers().support_radius, of_b = phase(b).numbers().support_radius;
+        if (phase(a).row->fluid != phase(b).row->fluid)
+            return phase(a).row->fluid ? of_a : of_b;
+        return std::max(of_a, of_b);
+    }
+    bool any_periodic() const {
+        return std::any_of(periodic.length.begin(), periodic.length.end(), [](double length) { return length > 0; });
+    }
+    /// The particles of all phases, for checkpoints: their numbers first, so that a file that cannot hold them is
+    /// noticed before anything changes.
+    template <class Archive>
+    void archive_particles(Archive& a) {
+        std::vector<std::uint64_t> counts;
+        std::uint64_t bytes = 0;
+        for (const Phase& s : phases) {
+            std::uint64_t& count = counts.emplace_back(static_cast<std::uint64_t>(s.size()));
+            a(count);
+            if constexpr (Archive::reading) {
+                require(count < (std::uint64_t{1} << 31), "checkpoint: phase ", s.name, " has ", count,
+                        " particles; at most 2^31 - 1 are possible");
+                bytes += count * s.bytes_per_archived_particle();
+            }
+        }
+        if constexpr (Archive::reading)
+            a.need(bytes, 1);
+        for (std::size_t k = 0; k < phases.size(); ++k)
+            phases[k].archive(a, static_cast<int>(counts[k]));
+    }
+    /// What the next time step depends on besides the particles.
+    template <class Archive>
+    void archive_motion(Archive& a) {
+        for (Phase& s : phases)
+            a(s.motion);
+        a(frame);
+        for (Phase& s : phases) {
+            a(s.bounds.lower);
+            a(s.bounds.upper);
+        }
+        for (Link& link : links)
+            a(link.nearest);
+    }
+    std::size_t particle_bytes() const {
+        std::size_t sum = 0;
+        for (const Phase& s : phases)
+            sum += s.bytes();
+        return sum;
+    }
+    std::size_t list_bytes() const {
+        std::size_t sum = 0;
+        for (const Link& link : links)
+            sum += link.runs.bytes();
+        return sum;
+    }
+};
+
+} // namespace imbibe::detail

@@ -1,0 +1,109 @@
+// A scene as plain data: its phases, the couplings between them, who has neighbours among whom, and the passes that
+// evaluate its terms. lowering.hpp makes these tables from the types of a scene, once. What runs a scene reads them and
+// is ordinary code; only the bodies of its loops (loop_bodies.hpp) are templates of the scene.
+#pragma once
+
+#include <imbibe/core/build_options.hpp>
+#include <imbibe/core/field.hpp>
+#include <imbibe/solver/schedule.hpp>
+
+#include <any>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace imbibe::detail {
+
+/// A field of a phase: one column of numbers per component.
+struct FieldRow {
+    std::string_view name, unit;
+    int first = 0;      ///< its first column
+    int components = 0; ///< how many columns
+};
+
+/// A state that a step advances by its rate.
+struct StateRow {
+    int first = 0, rate = 0; ///< the first columns of the state and of its rate
+    int components = 0;
+    bool is_density = false;
+};
+
+/// Numbers of a phase's material that running a scene needs, whatever its terms.
+struct PhaseNumbers {
+    double support_radius = 0, spacing = 0; ///< m
+    double sound_speed = 0;                 ///< m/s; 0 for a wall
+};
+
+/// A phase. Columns are -1 where a field is not stored.
+struct PhaseRow {
+    std::string (*name)() = nullptr; ///< among all phases of the scene
+    std::span<const FieldRow> fields;
+    std::span<const StateRow> states;
+    int components = 0; ///< how many columns it has
+    int first_bit = 0;  ///< its fields are the bits from there on in the sets of a loop
+    bool moves = false; ///< by itself, or is it a wall
+    bool fluid = false;
+    int position = -1, reference_position = -1, velocity = -1, acceleration = -1, mass = -1;
+    int density = -1, density_rate = -1, mobility = -1, transport_correction = -1, supported_share = -1;
+    std::any (*material)() = nullptr; ///< one that nobody has given numbers yet
+    PhaseNumbers (*numbers)(const std::any& material) = nullptr;
+
+    /// Does it stay in the order of its stress-free configuration, and is it seen by others through a sorted copy?
+    constexpr bool keeps_reference() const { return reference_position >= 0; }
+};
+
+/// A coupling of two phases.
+struct CouplingRow {
+    std::string (*name)() = nullptr; ///< among all couplings of the scene
+    int first = 0, second = 0;       ///< its phases
+    bool asks_for_nearest = false;   ///< the distance of their nearest particles: it has a repulsion
+    /// Is the first one, or the second, a fluid that is pushed by pressure, whose density follows from its motion and
+    /// does not count the other?
+    bool first_counts_no_second = false, second_counts_no_first = false;
+    std::any (*coupling)() = nullptr; ///< one with coefficients that nobody has changed yet
+};
+
+/// Phase `a` sums over neighbours in phase `b`: those of now, or those of the stress-free configuration.
+struct LinkRow {
+    int a = 0, b = 0;
+    bool reference = false;
+};
+
+/// Some columns of one phase.
+struct ColumnRange {
+    int phase = 0, first = 0, components = 0;
+    bool from_gravity = false; ///< do sums in them start from gravity, or from zero?
+};
+
+template <int dim, class Real>
+class IMBIBE_PER_BUILD SceneEngine;
+
+/// A loop over the particles of a phase, or over their neighbours.
+template <int dim, class Real>
+struct Loop {
+    bool sweep = false;             ///< over neighbours
+    int phase = 0;                  ///< whose particles, and who is written to
+    std::span<const int> links{};   ///< a sweep's neighbours
+    Bits reads_own{}, reads_near{}; ///< fields that are read of the particle and of its neighbours
+    Bits writes{};                  ///< fields that are written
+    bool advances_density = false;  ///< by its rate
+    /// Computes particles [begin, end).
+    void (*body)(SceneEngine<dim, Real>&, int begin, int end) = nullptr;
+};
+
+/// What an integrator can ask for: loops one after the other.
+template <int dim, class Real>
+struct Pass {
+    std::span<const Loop<dim, Real>> loops;
+    std::span<const ColumnRange> cleared; ///< before the first loop
+    std::span<const ColumnRange> kept;    ///< sums of another pass that it adds to
+};
+
+/// A scene: what does not depend on how its steps are made.
+struct SceneTable {
+    std::span<const PhaseRow> phases;
+    std::span<const CouplingRow> couplings;
+    std::span<const LinkRow> links;
+};
+
+} // namespace imbibe::detail
