@@ -135,10 +135,7 @@ private:
         source.runs = &link.runs;
         source.support = link.support;
         source.least_distances = LeastDistances<Real, width>(link.support);
-        for (int shift = 0; shift < search::image_count<dim>; ++shift)
-            for (int d = 0; d < dim; ++d)
-                source.images[static_cast<std::size_t>(shift)][d] = static_cast<Real>(
-                    search::image_step(shift, d) * engine.periodic.length[static_cast<std::size_t>(d)]);
+        source.images = engine.images;
         return source;
     }
     template <class... N>
@@ -146,18 +143,26 @@ private:
         return std::make_tuple(make_part<N>(owner_of<Scene, N>(engine))...);
     }
     template <class Nodes, class... S, std::size_t... k>
-    IMBIBE_INLINE static void sweep_sources(const Engine& engine, Phase& s, int begin, int end,
-                                            std::index_sequence<k...>) {
+    static void sweep_sources(const Engine& engine, Phase& s, int begin, int end, std::index_sequence<k...> all) {
+        const auto sources = std::make_tuple(source_data<S>(engine)...);
+        const auto parts = std::make_tuple(parts_from(engine, Filter<NodesFrom<S>::template Keep, Nodes>{})...);
+        sweep_block<Nodes, S...>(engine, s, sources, parts, begin, end, all);
+    }
+    // Not inlined: a compiler that sees how the columns of a source follow from a stride adds up addresses for every
+    // pack, where it else loads them.
+    template <class Nodes, class... S, class Sources, class AllParts, std::size_t... k>
+    [[gnu::noinline]] static void sweep_block(const Engine& engine, Phase& s, const Sources& sources,
+                                              const AllParts& all_parts, int begin, int end,
+                                              std::index_sequence<k...>) {
         using T = Pack<Real, width>;
         using Adds = typename AddsOfNodes<Nodes>::type;
         using OwnFields = typename OwnFieldsOf<dim, Nodes>::type;
-        const auto sources = std::make_tuple(source_data<S>(engine)...);
         // Copies: of the numbers where they are, the compiler of a scene in double must take it that sums are stored
         // over them, and compute what follows from them for every run.
         const P material = material_of<Scene, P>(engine);
         const std::tuple<typename S::B...> others{material_of<Scene, typename S::B>(engine)...};
         const std::array<SupportRadius, sizeof...(S)> supports{SupportRadius(std::get<k>(sources).support)...};
-        const auto parts = std::make_tuple(parts_from(engine, Filter<NodesFrom<S>::template Keep, Nodes>{})...);
+        const AllParts parts = all_parts;
         const Vector<double, dim> gravity_now = engine.gravity;
         const double step_length = engine.step_length;
         std::array<search::RunList::Walk, sizeof...(S)> walks{

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -94,12 +95,12 @@ public:
     }
 
 private:
-    // By the number that a particle had when it was added.
-    using ById = std::vector<int>;
+    // By the number that a particle had when it was added. As many may have come and gone as there are numbers.
+    using ById = std::unordered_map<std::uint32_t, int>;
     struct Watched {
         PhasePair pair;
         bool begun = false, met = false;
-        ById touching{}, touched{}; // 1 for those of the first and of the second phase that touch from the start
+        ById touching{}, touched{}; // those of the first and of the second phase that touch from the start: 1
         ById body{};                // of one phase with itself, the body that each belongs to
         int bodies = 0;
         double clear = 0; // two particles can come nearer by that without being within reach, m
@@ -120,7 +121,7 @@ private:
         const std::vector<int> body = bodies_of(phase.at_rest, phase.support_radius, scene);
         watched.clear = 0;
         watched.bodies = body.empty() ? 0 : *std::max_element(body.begin(), body.end()) + 1;
-        watched.body.assign(static_cast<std::size_t>(phase.ever_added), 0);
+        watched.body.clear();
         for (std::size_t i = 0; i < body.size(); ++i)
             watched.body[phase.ids[i]] = body[i];
     }
@@ -131,8 +132,8 @@ private:
         return false;
     }
     static void note_touching(Watched& watched, const Outline& a, const Outline& b, const OutlineOfScene& scene) {
-        watched.touching.assign(static_cast<std::size_t>(a.ever_added), 0);
-        watched.touched.assign(static_cast<std::size_t>(b.ever_added), 0);
+        watched.touching.clear();
+        watched.touched.clear();
         for_each_pair(a, b, 1.5 * 0.5 * (a.spacing + b.spacing), scene, [&](int i, int j, double) {
             watched.touching[a.ids[static_cast<std::size_t>(i)]] = 1;
             watched.touched[b.ids[static_cast<std::size_t>(j)]] = 1;
@@ -142,8 +143,8 @@ private:
                                 const OutlineOfScene& scene) {
         Nearest nearest;
         const auto of = [](const ById& numbers, const Outline& phase, int i) {
-            const std::uint32_t id = phase.ids[static_cast<std::size_t>(i)];
-            return id < numbers.size() ? numbers[id] : 0;
+            const auto found = numbers.find(phase.ids[static_cast<std::size_t>(i)]);
+            return found == numbers.end() ? 0 : found->second;
         };
         for_each_pair(a, b, reach, scene, [&](int i, int j, double distance) {
             const bool counts = &a == &b ? of(watched.body, a, i) != of(watched.body, a, j)

@@ -204,24 +204,38 @@ private:
     }
 
     // velocity = old + dt * acceleration; the speeds and the greatest acceleration; the supported share, if a term
-    // reads it.
+    // reads it. Compiled for what is stored and what is not: a branch in the loop would keep it from being computed in
+    // packs.
+    Motion advance_velocities(Phase& s, const Real* old, double dt) const {
+        s.note_written(s.row->velocity);
+        s.note_written(s.row->supported_share);
+        const bool held = s.row->mobility >= 0, borne = s.row->supported_share >= 0;
+        return held ? borne ? advance_velocities<true, true>(s, old, dt) : advance_velocities<true, false>(s, old, dt)
+               : borne ? advance_velocities<false, true>(s, old, dt)
+                       : advance_velocities<false, false>(s, old, dt);
+    }
+    template <bool has_mobility, bool has_share>
     Motion advance_velocities(Phase& s, const Real* old, double dt) const {
         const Real by = static_cast<Real>(dt);
         Real* const v = s.column(s.row->velocity);
         const Real* const a = s.column(s.row->acceleration);
         const Real* const mobility = s.column_if(s.row->mobility);
-        Real* const share = s.row->supported_share < 0 ? nullptr : s.column(s.row->supported_share);
+        Real* const share = has_share ? s.column(s.row->supported_share) : nullptr;
         const std::size_t stride = s.stride();
         Real of_frame[static_cast<std::size_t>(dim)];
         for (int d = 0; d < dim; ++d)
             of_frame[d] = static_cast<Real>(this->frame[d]);
-        const PhaseNumbers numbers = s.numbers();
-        const Support<dim, Real> support(this->gravity, share ? dt * numbers.sound_speed / numbers.support_radius : 0);
+        Support<dim, Real> support;
+        if constexpr (has_share) {
+            const PhaseNumbers numbers = s.numbers();
+            support = {this->gravity, dt * numbers.sound_speed / numbers.support_radius};
+        }
         const auto block = [&](int begin, int end) {
             Real speed2 = 0, acceleration2 = 0, fastest2 = 0, sum[static_cast<std::size_t>(dim)]{};
             for (int i = begin; i < end; ++i) {
-                const Real free = mobility ? mobility[i] : Real(1);
-                Real v2 = 0, relative2 = 0, a2 = 0, borne = 0;
+                Real free = 1, v2 = 0, relative2 = 0, a2 = 0, borne = 0;
+                if constexpr (has_mobility)
+                    free = mobility[i];
                 for (std::size_t d = 0; d < dim; ++d) {
                     const std::size_t k = d * stride + static_cast<std::size_t>(i);
                     v[k] = old[k] + by * free * a[k];
@@ -229,9 +243,10 @@ private:
                     relative2 += sq(v[k] - of_frame[d]);
                     sum[d] += v[k];
                     a2 += free * a[k] * a[k];
-                    borne += support.along(d, free * a[k]);
+                    if constexpr (has_share)
+                        borne += support.along(d, free * a[k]);
                 }
-                if (share)
+                if constexpr (has_share)
                     share[i] = support.mean(share[i], borne);
                 speed2 = std::max(speed2, relative2);
                 fastest2 = std::max(fastest2, v2);
@@ -245,8 +260,6 @@ private:
                 found.mean[d] = static_cast<double>(sum[d]);
             return found;
         };
-        s.note_written(s.row->velocity);
-        s.note_written(s.row->supported_share);
         return motion_of_blocks(s.size(), this->threads, Callable<Motion(int, int)>(block));
     }
     // With a transport correction it is not known how far it was: then neighbours are found anew in every step.
@@ -258,23 +271,27 @@ private:
     }
     // position = old + dt * (velocity + transport correction).
     void advance_positions(Phase& s, const Real* old, double dt) const {
-        const Real* const mobility = s.column_if(s.row->mobility);
         const Real by = static_cast<Real>(dt);
+        const Real* const mobility = s.column_if(s.row->mobility);
+        const int correction_column = s.row->transport_correction;
         const auto block = [&](int begin, int end) {
             for (int d = 0; d < dim; ++d) {
                 Real* const x = s.column(s.row->position + d);
                 const Real* const x0 = old + static_cast<std::size_t>(d) * s.stride();
                 const Real* const v = s.column(s.row->velocity + d);
-                const Real* const correction =
-                    s.row->transport_correction < 0 ? nullptr : s.column(s.row->transport_correction + d);
-                for (int i = begin; i < end; ++i) {
-                    Real speed = v[i];
-                    if (correction)
-                        speed += correction[i];
-                    if (mobility)
-                        speed *= mobility[i];
-                    x[i] = x0[i] + by * speed;
-                }
+                const Real* const correction = correction_column < 0 ? nullptr : s.column(correction_column + d);
+                const auto move = [&](const auto& speed) {
+                    for (int i = begin; i < end; ++i)
+                        x[i] = x0[i] + by * speed(i);
+                };
+                if (correction && mobility)
+                    move([&](int i) { return (v[i] + correction[i]) * mobility[i]; });
+                else if (correction)
+                    move([&](int i) { return v[i] + correction[i]; });
+                else if (mobility)
+                    move([&](int i) { return v[i] * mobility[i]; });
+                else
+                    move([&](int i) { return v[i]; });
             }
         };
         loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));

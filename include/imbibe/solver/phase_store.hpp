@@ -3,6 +3,7 @@
 // is what says the phase's row in the tables of the scene.
 #pragma once
 
+#include <imbibe/core/error.hpp>
 #include <imbibe/core/memory.hpp>
 #include <imbibe/search/neighbours.hpp>
 #include <imbibe/solver/loops.hpp>
@@ -215,6 +216,10 @@ public:
         }
         a(next_id);
         a.array(ids.data(), ids.size());
+        if constexpr (Archive::reading)
+            for (const std::uint32_t id : ids)
+                require(id < next_id, "checkpoint: phase ", name, " has a particle of number ", id, " of only ",
+                        next_id, " that were ever added; take the checkpoint before it");
         for (int k = 0; k < row->components; ++k)
             a.array(column(k), static_cast<std::size_t>(n));
         if constexpr (Archive::reading)

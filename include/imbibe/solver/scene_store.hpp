@@ -35,6 +35,8 @@ public:
     /// against each other, not how fast all move together. See Neighbourhood::choose_frame.
     Vector<double, dim> frame{};
     search::Periodic<dim> periodic;
+    /// By how much the periodic images of the scene are displaced, m.
+    std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images{};
     int threads = 1;
 
     explicit SceneStore(const SceneTable& of) : table(of) {
@@ -44,6 +46,14 @@ public:
             couplings.push_back(row.coupling());
         for (const LinkRow& row : table.links)
             links.push_back({.row = row, .runs = {}});
+    }
+
+    void set_periodic(const search::Periodic<dim>& sides) {
+        periodic = sides;
+        for (int shift = 0; shift < search::image_count<dim>; ++shift)
+            for (int d = 0; d < dim; ++d)
+                images[static_cast<std::size_t>(shift)][d] =
+                    static_cast<Real>(search::image_step(shift, d) * periodic.length[static_cast<std::size_t>(d)]);
     }
 
     Phase& phase(int k) { return phases[static_cast<std::size_t>(k)]; }

@@ -69,10 +69,12 @@ public:
         engine_.search_interval = std::min(with.search_interval, 1 << 30); // it is added to
         engine_.search_skin = with.search_interval > 1 || subcycles ? with.search_skin : 0;
         engine_.threads = with.threads > 0 ? with.threads : available_threads();
+        search::Periodic<dim> sides;
         for (std::size_t d = 0; d < dim; ++d) {
-            engine_.periodic.lower[d] = with.periodic_lower[d] - with.origin[d];
-            engine_.periodic.length[d] = with.periodic_length[d];
+            sides.lower[d] = with.periodic_lower[d] - with.origin[d];
+            sides.length[d] = with.periodic_length[d];
         }
+        engine_.set_periodic(sides);
     }
 
     // ---- building the scene ----
