@@ -270,7 +270,7 @@ private:
         bool driven = start_ && now.gravity != start_->gravity; // shaken or tilted
         scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
             const auto phase = scene[PhaseHandle<P>{}];
-            now.ever += s.ever_added();
+            now.ever += s.store.ever_added();
             if constexpr (P::moves) {
                 now.kinetic += kinetic_energy(phase);
                 now.potential += potential_energy(phase, scene.settings().gravity);
