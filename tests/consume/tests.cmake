@@ -59,7 +59,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
         message(STATUS "Without libc++ there is no test of programs that use it")
     endif()
 endif()
-add_way(compiled_scene compiled_scene -DLIBRARY=${PROJECT_BINARY_DIR}/consume/presets/imbibe/libimbibe_presets.a
+set(built ${PROJECT_BINARY_DIR}/consume/presets/imbibe)
+add_way(compiled_scene compiled_scene -DPRESETS=${built}/libimbibe_presets.a -DCORE=${built}/libimbibe_core.a
         -DTHREADS=${threads})
 set_tests_properties(consume_compiled_scene PROPERTIES LABELS more FIXTURES_REQUIRED imbibe_presets_built)
 add_way(two_options two_options "-DFAST=${fast}")

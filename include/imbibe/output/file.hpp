@@ -1,6 +1,7 @@
 // Files that are either there as a whole or not at all, and the check before a run that they can be written.
 #pragma once
 
+#include <imbibe/core/compiled_core.hpp>
 #include <imbibe/core/error.hpp>
 
 #include <cmath>
@@ -36,24 +37,10 @@ inline bool earlier(double a, double b) {
 class AtomicFile {
 public:
     /// Opens `<path>.tmp`. Throws Error if that cannot be done.
-    explicit AtomicFile(std::filesystem::path path)
-        : path_(behind_links(std::move(path))), temporary_(path_.string() + ".tmp") {
-        std::error_code none_there; // what a killed program left under this name may be another name of a good file
-        if (!std::filesystem::is_directory(temporary_, none_there))
-            std::filesystem::remove(temporary_, none_there);
-        out_.open(temporary_, std::ios::binary);
-        require(out_.is_open(), "cannot write ", path_.string(),
-                ": the file cannot be opened; check that its folder exists and may be written by you");
-    }
+    explicit AtomicFile(std::filesystem::path path);
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
-    ~AtomicFile() {
-        if (committed_)
-            return;
-        out_.close();
-        std::error_code ignored;
-        std::filesystem::remove(temporary_, ignored);
-    }
+    ~AtomicFile();
 
     /// Appends text.
     AtomicFile& operator<<(std::string_view words) {
@@ -61,28 +48,15 @@ public:
         return *this;
     }
     /// Appends `bytes` bytes. Throws Error when they cannot be written.
-    void write(const void* data, std::size_t bytes) {
-        out_.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
-        check();
-    }
+    void write(const void* data, std::size_t bytes);
 
     /// The file that a link stands for: the link stays, and what it names is replaced.
-    [[nodiscard]] static std::filesystem::path behind_links(std::filesystem::path path) {
-        std::error_code unknown;
-        if (!std::filesystem::is_symlink(path, unknown))
-            return path;
-        auto target = std::filesystem::canonical(path, unknown);
-        return unknown ? path : target;
-    }
+    [[nodiscard]] static std::filesystem::path behind_links(std::filesystem::path path);
     /// The file that will have its name: where the path is a link, what it stands for.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
     /// Empties the buffers and gives the file its name. Throws Error when the last bytes cannot be written.
-    void commit() {
-        out_.close();
-        check();
-        rename();
-    }
+    void commit();
     /// The same, but waits until the bytes are on the disk, with all that was written to its file system before (a
     /// table or snapshots that this file counts on), and then the name. @param before called between the two
     template <class F>
@@ -98,12 +72,7 @@ public:
     }
 
 private:
-    void rename() {
-        std::error_code error;
-        std::filesystem::rename(temporary_, path_, error);
-        require(!error, "cannot give ", temporary_.string(), " its name ", path_.string(), ": ", error.message());
-        committed_ = true;
-    }
+    void rename();
 #if __has_include(<unistd.h>)
     static int sync_file_system([[maybe_unused]] int file_on_it) {
 #if defined(__linux__)
@@ -133,14 +102,7 @@ private:
         if (!out_.good())
             refuse();
     }
-    [[noreturn]] void refuse() const {
-        std::error_code error;
-        const auto space = std::filesystem::space(path_.has_parent_path() ? path_.parent_path() : ".", error);
-        throw Error(
-            text("cannot write ", path_.string(), ": the disk refused it",
-                 error ? "" : text(" (", static_cast<double>(space.available) / 1e6, " MB free)"),
-                 ". Earlier files are whole; free space there or choose another folder, then continue the run"));
-    }
+    [[noreturn]] void refuse() const;
 
     std::filesystem::path path_, temporary_;
     std::ofstream out_;
@@ -150,27 +112,10 @@ private:
 /// Creates `folder` (and those above it) if need be and writes a small file there, which it removes again. To be called
 /// before a run, so that hours of work are not lost at the first snapshot. Throws Error naming the folder, the cause
 /// and the remedy.
-inline void require_writable(const std::filesystem::path& folder) {
-    const char* remedy = "; choose another output folder, or change who may write there";
-    require(!folder.empty(), "the output folder has no name; choose one, for example \"out\"");
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    std::error_code unknown;
-    require(std::filesystem::is_directory(folder, unknown), "cannot create the output folder ", folder.string(), ": ",
-            error ? error.message() : "something else has that name", remedy);
-
-    const auto trial = folder / ".imbibe_write_test";
-    const std::string words(4096, 'x');
-    bool written = false;
-    {
-        std::ofstream out(trial, std::ios::binary);
-        out << words;
-        out.close();
-        written = out.good();
-    }
-    std::filesystem::remove(trial, error);
-    require(written, "cannot write into the output folder ", folder.string(),
-            ": a test file of 4 kB could not be written there", remedy);
-}
+void require_writable(const std::filesystem::path& folder);
 
 } // namespace imbibe
+
+#if IMBIBE_READS_CODE
+#include <imbibe/output/file_code.hpp>
+#endif

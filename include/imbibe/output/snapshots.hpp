@@ -1,10 +1,14 @@
 // Snapshots of a whole scene: a VTK series for each phase, with every field that is a state or says that it is shown.
 #pragma once
 
+#include <imbibe/core/compiled_core.hpp>
 #include <imbibe/output/vtk_series.hpp>
-#include <imbibe/solver/solver.hpp>
+#include <imbibe/solver/scene_store.hpp>
 
+#include <cctype>
 #include <map>
+#include <string>
+#include <utility>
 
 namespace imbibe {
 
@@ -23,7 +27,9 @@ public:
 
     /// One snapshot of the scene as it is. Throws Error as VtkSeries::write does.
     template <class Scene>
-    void operator()(const Scene& scene);
+    void operator()(const Scene& scene) {
+        write(scene.engine(), scene.time(), scene.settings().origin);
+    }
 
     /// How many snapshots there are of the phase that has the most.
     std::size_t size() const {
@@ -35,59 +41,40 @@ public:
     /// Goes on behind the first `snapshots` of an earlier run in the same folder, whatever the time of the next one;
     /// with 0 a new series begins. Throws Error if they are not there.
     template <class Scene>
-    void resume(const Scene& scene, std::size_t snapshots);
+    void resume(const Scene& scene, std::size_t snapshots) {
+        for (const auto& phase : scene.engine().phases)
+            series(file_name(scene.engine(), phase)).resume(snapshots);
+    }
 
 private:
     std::filesystem::path folder_;
     std::map<std::string, VtkSeries> series_;
 
-    template <class Scene, class P>
-    static std::string file_name() {
-        return detail::name_among<P>(typename Scene::Phases{}, [](std::string name) {
-            for (char& c : name)
-                c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-            return name;
-        });
+    // The phase's name in lower case; with its number where another one has the same.
+    template <int dim, class Real>
+    static std::string file_name(const detail::SceneStore<dim, Real>& scene,
+                                 const detail::PhaseStore<dim, Real>& phase) {
+        int same = 0;
+        for (const auto& other : scene.phases)
+            same += lower_case(other.name) == lower_case(phase.name);
+        const auto number = &phase - scene.phases.data() + 1;
+        return same > 1 ? text(lower_case(phase.name), "_", number) : lower_case(phase.name);
+    }
+    static std::string lower_case(std::string name) {
+        for (char& c : name)
+            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return name;
     }
     VtkSeries& series(const std::string& name) {
         return series_.try_emplace(name, folder_, name, VtkPrecision::single).first->second;
     }
 
-    template <class Composition, class P, int dim, class State, class... F>
-    void write(const State& s, double seconds, const std::array<double, static_cast<std::size_t>(dim)>& origin,
-               TypeList<F...>) {
-        VtkFile file(static_cast<std::size_t>(s.size()),
-                     VtkArray::of("position", "m", Rank::vector, dim, s.field(position), s.stride()));
-        (add<Composition, P, dim, F>(file, s), ...);
-        static_assert(sizeof(std::uint32_t) == sizeof(std::int32_t));
-        file.add(VtkArray::scalar("id", "1", reinterpret_cast<const std::int32_t*>(s.ids.data())));
-        file.constant("spacing", s.material.spacing);
-        const char* const names[] = {"origin_x", "origin_y", "origin_z"};
-        for (std::size_t d = 0; d < dim; ++d)
-            if (origin[d] != 0)
-                file.constant(names[d], origin[d]);
-        series(file_name<Composition, P>()).write(seconds, std::move(file));
-    }
-    template <class Composition, class P, int dim, class F, class State>
-    static void add(VtkFile& file, const State& s) {
-        constexpr bool state = F::given || Composition::template integrated<P, F>();
-        if constexpr ((state || F::shown) && !std::is_same_v<F, Position>)
-            file.add(VtkArray::of(std::string(F::name), std::string(F::unit), F::rank, dim, s.field(F{}), s.stride()));
-    }
+    template <int dim, class Real>
+    void write(const detail::SceneStore<dim, Real>& scene, double seconds, const detail::Origin<dim>& origin);
 };
 
-// Out of the class: a program may leave them to a library (`extern template`).
-template <class Scene>
-void Snapshots::operator()(const Scene& scene) {
-    scene.engine().for_each_phase([&]<class P, class State>(std::type_identity<P>, const State& s) {
-        write<typename Scene::Scene, P, Scene::dimension>(s, scene.time(), scene.settings().origin,
-                                                          typename Scene::template FieldsOf<P>{});
-    });
-}
-template <class Scene>
-void Snapshots::resume(const Scene& scene, std::size_t snapshots) {
-    scene.engine().for_each_phase(
-        [&]<class P>(std::type_identity<P>, const auto&) { series(file_name<Scene, P>()).resume(snapshots); });
-}
-
 } // namespace imbibe
+
+#if IMBIBE_READS_CODE
+#include <imbibe/output/snapshots_code.hpp>
+#endif

@@ -28,7 +28,8 @@ class PhaseRowOf {
     using Fields = typename Scene::template FieldsOf<P>;
     template <class... F>
     static constexpr std::array<FieldRow, sizeof...(F)> field_rows(TypeList<F...>) {
-        return {FieldRow{F::name, F::unit, component_offset<dim, F, Fields>, components(F::rank, dim)}...};
+        return {FieldRow{F::name, F::unit, F::rank, F::given || Scene::template integrated<P, F>() || F::shown,
+                         component_offset<dim, F, Fields>, components(F::rank, dim)}...};
     }
     template <class... F>
     static constexpr std::array<StateRow, sizeof...(F)> state_rows(TypeList<F...>) {

@@ -3,6 +3,7 @@
 // is what says the phase's row in the tables of the scene.
 #pragma once
 
+#include <imbibe/core/compiled_core.hpp>
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/memory.hpp>
 #include <imbibe/search/neighbours.hpp>
@@ -56,55 +57,16 @@ public:
     search::Points<dim, Real> points_of(int first) const { return points_in(values, first); }
 
     /// Changes the number of particles; the values of those that stay are kept, new ones are zero.
-    void resize(int count) {
-        ids.reserve(static_cast<std::size_t>(count)); // nothing has changed where there is no memory
-        disturbed = true;
-        note_all_written();
-        const std::size_t wanted = stride_for(count);
-        if (wanted != step) {
-            AlignedVector<Real> grown(wanted * columns(), Real(0));
-            for (int k = 0; k < row->components; ++k)
-                std::copy_n(column(k), std::min(n, count), grown.data() + static_cast<std::size_t>(k) * wanted);
-            values.swap(grown);
-            spare.clear();
-            image.clear();
-            step = wanted;
-        }
-        for (int k = 0; k < row->components; ++k)
-            std::fill(column(k) + std::min(n, count), column(k) + step, Real(0));
-        n = count;
-        const std::size_t known = ids.size();
-        ids.resize(static_cast<std::size_t>(n));
-        for (std::size_t i = known; i < ids.size(); ++i)
-            ids[i] = next_id++;
-    }
+    void resize(int count);
 
     /// How many particles were ever added.
     long long ever_added() const { return next_id; }
 
     /// Puts the particles into a new order: particle order[k] moves to k. All components are carried along.
-    void reorder(const std::vector<std::uint32_t>& order, int threads) {
-        spare.resize(values.size());
-        gather(column(0), spare.data(), row->components, order, threads);
-        values.swap(spare);
-        std::memcpy(spare.data(), ids.data(), ids.size() * sizeof(ids[0])); // what `spare` held is of no use any more
-        const auto* const before = reinterpret_cast<const std::byte*>(spare.data());
-        ids.resize(order.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-            std::memcpy(&ids[i], before + order[i] * sizeof(ids[0]), sizeof(ids[0]));
-        n = static_cast<int>(order.size());
-        pad();
-    }
+    void reorder(const std::vector<std::uint32_t>& order, int threads);
 
     /// Keeps only the particles for which keep[i] is true.
-    void compress(const std::vector<char>& keep) {
-        disturbed = true;
-        std::vector<std::uint32_t> order;
-        for (int i = 0; i < n; ++i)
-            if (keep[static_cast<std::size_t>(i)])
-                order.push_back(static_cast<std::uint32_t>(i));
-        reorder(order, 1);
-    }
+    void compress(const std::vector<char>& keep);
 
     /// Pair loops load whole packs, also beyond the last particle. What they find there is masked, but must be legal
     /// numbers in any formula (a density of zero is not): copies of the last particle. To be called after writing.
@@ -114,20 +76,7 @@ public:
     /// Keeps a copy of the positions.
     void remember_places() { places_then.assign(column(row->position), column(row->position) + dim * step); }
     /// How far the particle is that has moved farthest since, m.
-    double farthest_since(int threads) const {
-        const Real *now = column(row->position), *then = places_then.data();
-        const auto block = [&](int begin, int end) {
-            double farthest2 = 0;
-            for (int i = begin; i < end; ++i) {
-                double way2 = 0;
-                for (std::size_t k = static_cast<std::size_t>(i); k < dim * step; k += step)
-                    way2 += sq(static_cast<double>(now[k]) - static_cast<double>(then[k]));
-                farthest2 = std::max(farthest2, way2);
-            }
-            return farthest2;
-        };
-        return std::sqrt(greatest_of_blocks(n, threads, Callable<double(int, int)>(block)));
-    }
+    double farthest_since(int threads) const;
 
     // ---- the sorted copy through which others see a phase that keeps its reference order ----
     /// Where others see coordinate d of particle i, if the phase keeps its reference order, m.
@@ -137,44 +86,13 @@ public:
         return outside.empty() ? x : x - outside[static_cast<std::size_t>(i)];
     }
     /// Sorts the copy by the cells of a grid. Fields in it stay up to date where the order is what it was.
-    void sort_image(const search::Grid<dim>& grid, const search::Periodic<dim>& periodic, int threads) {
-        const std::vector<std::uint32_t> order = std::move(image_order);
-        image_order.resize(static_cast<std::size_t>(n));
-        for (std::size_t i = 0; i < image_order.size(); ++i)
-            image_order[i] = static_cast<std::uint32_t>(i);
-        note_periods(periodic);
-        copy_places_to_image(threads);
-        if (!table.sort(grid, image_points(), threads)) {
-            image_order = table.order();
-            copy_places_to_image(threads);
-        }
-        if (image_order != order)
-            note_all_written();
-    }
+    void sort_image(const search::Grid<dim>& grid, const search::Periodic<dim>& periodic, int threads);
     /// Brings the positions in the copy up to date.
-    void copy_places_to_image(int threads) {
-        copy_to_image(row->position, dim, threads);
-        for (std::size_t d = 0; d < dim; ++d) {
-            Real* x = image.data() + static_cast<std::size_t>(row->position) * step + d * step;
-            for (std::size_t k = 0; k < periods_outside[d].size(); ++k)
-                x[k] -= periods_outside[d][image_order[k]];
-        }
-        pad(image, row->position, dim);
-    }
+    void copy_places_to_image(int threads);
     /// Brings field k of the phase, which is not its position, up to date in the copy, if it is not.
-    void refresh_in_image(int k, int threads) {
-        if (fresh.test(k))
-            return;
-        const FieldRow& field = row->fields[static_cast<std::size_t>(k)];
-        copy_to_image(field.first, field.components, threads);
-        fresh.set(k);
-    }
+    void refresh_in_image(int k, int threads);
     /// The copy of the field that begins at a column may differ from it now.
-    void note_written(int first) {
-        for (std::size_t k = 0; k < row->fields.size() && fresh.any(); ++k)
-            if (row->fields[k].first == first)
-                fresh = fresh - bit(static_cast<int>(k));
-    }
+    void note_written(int first);
     /// The same for all fields.
     void note_all_written() { fresh = {}; }
     search::Points<dim, Real> image_points() const { return points_in(image, row->position); }
@@ -248,44 +166,13 @@ private:
         return p;
     }
     // to[k] = from[order[k]] in each of `count` components.
-    void gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order, int threads) const {
-        const auto block = [&](int begin, int end) {
-            for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-                for (int i = begin; i < end; ++i)
-                    (to + k * step)[i] = (from + k * step)[order[static_cast<std::size_t>(i)]];
-        };
-        loop_blocks(static_cast<int>(order.size()), 4096, threads, Callable<void(int, int)>(block));
-    }
+    void gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order, int threads) const;
     // Notes how far each particle is outside the periodic box, in whole periods, at a search: until the next one it is
     // seen that far from where it is, whatever sides it crosses meanwhile, for so its neighbours were found.
-    void note_periods(const search::Periodic<dim>& periodic) {
-        for (std::size_t d = 0; d < dim; ++d) {
-            auto& outside = periods_outside[d];
-            outside.clear();
-            if (periodic.length[d] == 0)
-                continue;
-            const Real low = static_cast<Real>(periodic.lower[d]), length = static_cast<Real>(periodic.length[d]);
-            const Real* x = column(row->position + static_cast<int>(d));
-            outside.resize(static_cast<std::size_t>(n));
-            for (std::size_t i = 0; i < outside.size(); ++i)
-                outside[i] = length * std::round((x[i] - search::into_period(x[i], low, length)) / length);
-        }
-    }
+    void note_periods(const search::Periodic<dim>& periodic);
     // Copies columns [first, first + count) into the copy, in its order.
-    void copy_to_image(int first, int count, int threads) {
-        image.resize(values.size());
-        gather(column(first), image.data() + static_cast<std::size_t>(first) * step, count, image_order, threads);
-        pad(image, first, count);
-    }
-    void pad(AlignedVector<Real>& to, int first, int count) {
-        constexpr int lanes = 64 / sizeof(Real);
-        if (n == 0)
-            return;
-        for (int k = first; k < first + count; ++k) {
-            Real* end = to.data() + static_cast<std::size_t>(k) * step + n;
-            std::fill_n(end, lanes, end[-1]);
-        }
-    }
+    void copy_to_image(int first, int count, int threads);
+    void pad(AlignedVector<Real>& to, int first, int count);
     int n = 0;
     std::size_t step = 0;
     std::uint32_t next_id = 0;
@@ -296,3 +183,7 @@ private:
 };
 
 } // namespace imbibe::detail
+
+#if IMBIBE_READS_CODE
+#include <imbibe/solver/phase_store_code.hpp>
+#endif

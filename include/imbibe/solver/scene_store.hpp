@@ -2,6 +2,7 @@
 // done with it is in the layers above: neighbourhood.hpp, motion.hpp, scene_engine.hpp.
 #pragma once
 
+#include <imbibe/core/compiled_core.hpp>
 #include <imbibe/core/error.hpp>
 #include <imbibe/solver/phase_store.hpp>
 
@@ -18,6 +19,10 @@ struct IMBIBE_PER_BUILD Link {
     double nearest = std::numeric_limits<double>::infinity();
     long long sweeps = 0; ///< how often terms were summed over these neighbours
 };
+
+/// Where the coordinates of a scene begin, m.
+template <int dim>
+using Origin = std::array<double, static_cast<std::size_t>(dim)>;
 
 template <int dim, class Real>
 class IMBIBE_PER_BUILD SceneStore {
@@ -39,22 +44,9 @@ public:
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images{};
     int threads = 1;
 
-    explicit SceneStore(const SceneTable& of) : table(of) {
-        for (const PhaseRow& row : table.phases)
-            phases.emplace_back(row);
-        for (const CouplingRow& row : table.couplings)
-            couplings.push_back(row.coupling());
-        for (const LinkRow& row : table.links)
-            links.push_back({.row = row, .runs = {}});
-    }
+    explicit SceneStore(const SceneTable& of);
 
-    void set_periodic(const search::Periodic<dim>& sides) {
-        periodic = sides;
-        for (int shift = 0; shift < search::image_count<dim>; ++shift)
-            for (int d = 0; d < dim; ++d)
-                images[static_cast<std::size_t>(shift)][d] =
-                    static_cast<Real>(search::image_step(shift, d) * periodic.length[static_cast<std::size_t>(d)]);
-    }
+    void set_periodic(const search::Periodic<dim>& sides);
 
     Phase& phase(int k) { return phases[static_cast<std::size_t>(k)]; }
     const Phase& phase(int k) const { return phases[static_cast<std::size_t>(k)]; }
@@ -63,12 +55,7 @@ public:
 
     /// H between two phases: that of the fluid, so that what pushes it from two sides is summed over the same reach;
     /// the greater one of two fluids, and where none is.
-    double support(int a, int b) const {
-        const double of_a = phase(a).numbers().support_radius, of_b = phase(b).numbers().support_radius;
-        if (phase(a).row->fluid != phase(b).row->fluid)
-            return phase(a).row->fluid ? of_a : of_b;
-        return std::max(of_a, of_b);
-    }
+    double support(int a, int b) const;
     bool any_periodic() const {
         return std::any_of(periodic.length.begin(), periodic.length.end(), [](double length) { return length > 0; });
     }
@@ -120,3 +107,7 @@ public:
 };
 
 } // namespace imbibe::detail
+
+#if IMBIBE_READS_CODE
+#include <imbibe/solver/scene_store_code.hpp>
+#endif

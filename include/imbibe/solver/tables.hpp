@@ -17,6 +17,8 @@ namespace imbibe::detail {
 /// A field of a phase: one column of numbers per component.
 struct FieldRow {
     std::string_view name, unit;
+    Rank rank = Rank::scalar;
+    bool shown = false; ///< in snapshots: a state, or one that says so
     int first = 0;      ///< its first column
     int components = 0; ///< how many columns
 };
@@ -48,6 +50,13 @@ struct PhaseRow {
     std::any (*material)() = nullptr; ///< one that nobody has given numbers yet
     PhaseNumbers (*numbers)(const std::any& material) = nullptr;
 
+    /// The field that begins at a column.
+    const FieldRow& field_at(int column) const {
+        for (const FieldRow& field : fields)
+            if (field.first == column)
+                return field;
+        return fields.front();
+    }
     /// Does it stay in the order of its stress-free configuration, and is it seen by others through a sorted copy?
     constexpr bool keeps_reference() const { return reference_position >= 0; }
 };

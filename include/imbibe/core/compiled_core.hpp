@@ -1,0 +1,16 @@
+// Is code that knows no type of a scene read with the headers, or is it in the library imbibe::core? Headers with such
+// code declare it, and where it is read include their second half, <name>_code.hpp, with the definitions.
+#pragma once
+
+#ifdef IMBIBE_COMPILED_CORE // by who links imbibe::core
+#define IMBIBE_READS_CODE 0
+#else
+#define IMBIBE_READS_CODE 1
+#endif
+
+/// Stands before the definition of a function that is no template.
+#ifdef IMBIBE_CORE_SOURCE // in a file of imbibe::core: it is there, whether the file calls it or not
+#define IMBIBE_CODE [[gnu::used]] inline
+#else
+#define IMBIBE_CODE inline
+#endif

@@ -1,0 +1,160 @@
+// The code of phase_store.hpp: moves columns about.
+#pragma once
+
+#include <imbibe/solver/phase_store.hpp>
+
+namespace imbibe::detail {
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::resize(int count) {
+    ids.reserve(static_cast<std::size_t>(count)); // nothing has changed where there is no memory
+    disturbed = true;
+    note_all_written();
+    const std::size_t wanted = stride_for(count);
+    if (wanted != step) {
+        AlignedVector<Real> grown(wanted * columns(), Real(0));
+        for (int k = 0; k < row->components; ++k)
+            std::copy_n(column(k), std::min(n, count), grown.data() + static_cast<std::size_t>(k) * wanted);
+        values.swap(grown);
+        spare.clear();
+        image.clear();
+        step = wanted;
+    }
+    for (int k = 0; k < row->components; ++k)
+        std::fill(column(k) + std::min(n, count), column(k) + step, Real(0));
+    n = count;
+    const std::size_t known = ids.size();
+    ids.resize(static_cast<std::size_t>(n));
+    for (std::size_t i = known; i < ids.size(); ++i)
+        ids[i] = next_id++;
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::reorder(const std::vector<std::uint32_t>& order, int threads) {
+    spare.resize(values.size());
+    gather(column(0), spare.data(), row->components, order, threads);
+    values.swap(spare);
+    std::memcpy(spare.data(), ids.data(), ids.size() * sizeof(ids[0])); // what `spare` held is of no use any more
+    const auto* const before = reinterpret_cast<const std::byte*>(spare.data());
+    ids.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        std::memcpy(&ids[i], before + order[i] * sizeof(ids[0]), sizeof(ids[0]));
+    n = static_cast<int>(order.size());
+    pad();
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::compress(const std::vector<char>& keep) {
+    disturbed = true;
+    std::vector<std::uint32_t> order;
+    for (int i = 0; i < n; ++i)
+        if (keep[static_cast<std::size_t>(i)])
+            order.push_back(static_cast<std::uint32_t>(i));
+    reorder(order, 1);
+}
+
+template <int dim, class Real>
+double PhaseStore<dim, Real>::farthest_since(int threads) const {
+    const Real *now = column(row->position), *then = places_then.data();
+    const auto block = [&](int begin, int end) {
+        double farthest2 = 0;
+        for (int i = begin; i < end; ++i) {
+            double way2 = 0;
+            for (std::size_t k = static_cast<std::size_t>(i); k < dim * step; k += step)
+                way2 += sq(static_cast<double>(now[k]) - static_cast<double>(then[k]));
+            farthest2 = std::max(farthest2, way2);
+        }
+        return farthest2;
+    };
+    return std::sqrt(greatest_of_blocks(n, threads, Callable<double(int, int)>(block)));
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::sort_image(const search::Grid<dim>& grid, const search::Periodic<dim>& periodic,
+                                       int threads) {
+    const std::vector<std::uint32_t> order = std::move(image_order);
+    image_order.resize(static_cast<std::size_t>(n));
+    for (std::size_t i = 0; i < image_order.size(); ++i)
+        image_order[i] = static_cast<std::uint32_t>(i);
+    note_periods(periodic);
+    copy_places_to_image(threads);
+    if (!table.sort(grid, image_points(), threads)) {
+        image_order = table.order();
+        copy_places_to_image(threads);
+    }
+    if (image_order != order)
+        note_all_written();
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::copy_places_to_image(int threads) {
+    copy_to_image(row->position, dim, threads);
+    for (std::size_t d = 0; d < dim; ++d) {
+        Real* x = image.data() + static_cast<std::size_t>(row->position) * step + d * step;
+        for (std::size_t k = 0; k < periods_outside[d].size(); ++k)
+            x[k] -= periods_outside[d][image_order[k]];
+    }
+    pad(image, row->position, dim);
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::refresh_in_image(int k, int threads) {
+    if (fresh.test(k))
+        return;
+    const FieldRow& field = row->fields[static_cast<std::size_t>(k)];
+    copy_to_image(field.first, field.components, threads);
+    fresh.set(k);
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::note_written(int first) {
+    for (std::size_t k = 0; k < row->fields.size() && fresh.any(); ++k)
+        if (row->fields[k].first == first)
+            fresh = fresh - bit(static_cast<int>(k));
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::note_periods(const search::Periodic<dim>& periodic) {
+    for (std::size_t d = 0; d < dim; ++d) {
+        auto& outside = periods_outside[d];
+        outside.clear();
+        if (periodic.length[d] == 0)
+            continue;
+        const Real low = static_cast<Real>(periodic.lower[d]), length = static_cast<Real>(periodic.length[d]);
+        const Real* x = column(row->position + static_cast<int>(d));
+        outside.resize(static_cast<std::size_t>(n));
+        for (std::size_t i = 0; i < outside.size(); ++i)
+            outside[i] = length * std::round((x[i] - search::into_period(x[i], low, length)) / length);
+    }
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order,
+                                   int threads) const {
+    const auto block = [&](int begin, int end) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+            for (int i = begin; i < end; ++i)
+                (to + k * step)[i] = (from + k * step)[order[static_cast<std::size_t>(i)]];
+    };
+    loop_blocks(static_cast<int>(order.size()), 4096, threads, Callable<void(int, int)>(block));
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::copy_to_image(int first, int count, int threads) {
+    image.resize(values.size());
+    gather(column(first), image.data() + static_cast<std::size_t>(first) * step, count, image_order, threads);
+    pad(image, first, count);
+}
+
+template <int dim, class Real>
+void PhaseStore<dim, Real>::pad(AlignedVector<Real>& to, int first, int count) {
+    constexpr int lanes = 64 / sizeof(Real);
+    if (n == 0)
+        return;
+    for (int k = first; k < first + count; ++k) {
+        Real* end = to.data() + static_cast<std::size_t>(k) * step + n;
+        std::fill_n(end, lanes, end[-1]);
+    }
+}
+
+} // namespace imbibe::detail

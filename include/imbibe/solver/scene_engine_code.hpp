@@ -1,0 +1,61 @@
+// The code of scene_engine.hpp: runs the loops of a pass.
+#pragma once
+
+#include <imbibe/solver/scene_engine.hpp>
+
+namespace imbibe::detail {
+
+template <int dim, class Real>
+void SceneEngine<dim, Real>::run(const Pass<dim, Real>& pass, double dt) {
+    step_length = dt;
+    for (const ColumnRange& range : pass.cleared)
+        clear(range);
+    for (const Loop<dim, Real>& loop : pass.loops)
+        run(loop);
+}
+
+template <int dim, class Real>
+void SceneEngine<dim, Real>::clear(const ColumnRange& range) {
+    Phase& s = this->phase(range.phase);
+    const auto block = [&](int begin, int end) {
+        for (int k = 0; k < range.components; ++k)
+            std::fill_n(s.column(range.first + k) + begin, end - begin,
+                        range.from_gravity ? static_cast<Real>(this->gravity[k % dim]) : Real(0));
+    };
+    loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
+    s.note_written(range.first);
+}
+
+template <int dim, class Real>
+void SceneEngine<dim, Real>::run(const Loop<dim, Real>& loop) {
+    Phase& s = this->phase(loop.phase);
+    if (s.size() == 0)
+        return;
+    if (loop.advances_density)
+        keep_volume(s, s.column(s.row->density), step_length, box_of(*this, loop.phase), this->threads);
+    if (!loop.sweep || meets_any(loop)) {
+        for (int k : loop.links) {
+            fetch(this->link_at(k), loop.reads_near);
+            ++this->link_at(k).sweeps;
+        }
+        const auto block = [&](int begin, int end) { loop.body(*this, begin, end); };
+        loop_blocks(s.size(), loop.sweep ? search::RunList::smallest_block : 2048, this->threads,
+                    Callable<void(int, int)>(block));
+        for (std::size_t k = 0; k < s.row->fields.size(); ++k)
+            if (loop.writes.test(s.row->first_bit + static_cast<int>(k)))
+                s.note_written(s.row->fields[k].first);
+    }
+    s.pad();
+}
+
+template <int dim, class Real>
+void SceneEngine<dim, Real>::fetch(const Link& link, const Bits& reads) {
+    Phase& b = this->phase(link.row.b);
+    if (!b.row->keeps_reference() || link.row.reference || link.runs.is_empty())
+        return;
+    for (std::size_t k = 0; k < b.row->fields.size(); ++k)
+        if (b.row->fields[k].first != b.row->position && reads.test(b.row->first_bit + static_cast<int>(k)))
+            b.refresh_in_image(static_cast<int>(k), this->threads);
+}
+
+} // namespace imbibe::detail

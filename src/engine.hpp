@@ -1,0 +1,29 @@
+// The engine of scenes in `dim` dimensions with numbers of type Real, and what looks at such scenes: explicit
+// instantiations for the library imbibe::core.
+#pragma once
+
+#include <imbibe/output/snapshots.hpp>
+#include <imbibe/solver/scene_engine.hpp>
+#include <imbibe/solver/scene_watch.hpp>
+#include <imbibe/solver/warnings.hpp>
+
+#define IMBIBE_ENGINE(dim, Real)                                                                                       \
+    namespace imbibe::detail {                                                                                         \
+    template class PhaseStore<dim, Real>;                                                                              \
+    template class SceneStore<dim, Real>;                                                                              \
+    template class Neighbourhood<dim, Real>;                                                                           \
+    template class Mover<dim, Real>;                                                                                   \
+    template class SceneEngine<dim, Real>;                                                                             \
+    template class PairDistances<dim, Real, native_width<Real>>;                                                       \
+    template double box_of(const SceneStore<dim, Real>&, int);                                                         \
+    template OutlineOfScene outline_of(const SceneStore<dim, Real>&, const Origin<dim>&);                              \
+    template std::vector<PhasePair> pairs_of_phases(const SceneStore<dim, Real>&);                                     \
+    template void note_doubts_of_scene(Warnings&, const Neighbourhood<dim, Real>&, const Origin<dim>&,                 \
+                                       const OutlineOfScene&);                                                         \
+    template void SceneWatch::look_at_added(const Neighbourhood<dim, Real>&, const Origin<dim>&, double, Warnings&);   \
+    template void SceneWatch::start_anew(const Neighbourhood<dim, Real>&, const Origin<dim>&, double, Warnings&);      \
+    template void SceneWatch::look_after_step(const Neighbourhood<dim, Real>&, const Origin<dim>&, double, double,     \
+                                              Warnings&);                                                              \
+    }                                                                                                                  \
+    template void imbibe::Snapshots::write(const imbibe::detail::SceneStore<dim, Real>&, double,                       \
+                                           const imbibe::detail::Origin<dim>&);
