@@ -3,6 +3,8 @@
 #pragma once
 
 #include <imbibe/output/snapshots.hpp>
+#include <imbibe/solver/describe.hpp>
+#include <imbibe/solver/population.hpp>
 #include <imbibe/solver/scene_engine.hpp>
 #include <imbibe/solver/scene_watch.hpp>
 #include <imbibe/solver/warnings.hpp>
@@ -16,8 +18,15 @@
     template class SceneEngine<dim, Real>;                                                                             \
     template class PairDistances<dim, Real, native_width<Real>>;                                                       \
     template double box_of(const SceneStore<dim, Real>&, int);                                                         \
+    template void require_support(const Neighbourhood<dim, Real>&, double, const std::string&);                        \
+    template std::vector<Point<dim>> places_of_new(const Neighbourhood<dim, Real>&, int,                               \
+                                                   const std::vector<Point<dim>>&, double, double,                     \
+                                                   const Origin<dim>&);                                                \
+    template void add_particles(PhaseStore<dim, Real>&, const std::vector<Point<dim>>&, double, double);               \
     template OutlineOfScene outline_of(const SceneStore<dim, Real>&, const Origin<dim>&);                              \
     template std::vector<PhasePair> pairs_of_phases(const SceneStore<dim, Real>&);                                     \
+    template std::string describe_scene(const Neighbourhood<dim, Real>&, const Settings<dim>&, const TypesInWords&,    \
+                                        const LimitsInWords&);                                                         \
     template void note_doubts_of_scene(Warnings&, const Neighbourhood<dim, Real>&, const Origin<dim>&,                 \
                                        const OutlineOfScene&);                                                         \
     template void SceneWatch::look_at_added(const Neighbourhood<dim, Real>&, const Origin<dim>&, double, Warnings&);   \

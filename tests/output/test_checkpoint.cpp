@@ -300,6 +300,16 @@ TEST_CASE("Damaged checkpoints are refused with the reason, and the scene stays"
     short_one.append(reinterpret_cast<const char*>(&sum), sizeof sum);
     write_file(bad, short_one);
     REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, bad), imbibe_test::contains("shorter than it says"));
+    // One with a particle of a number that none was given, with a checksum that fits.
+    auto renumbered = good.substr(0, good.size() - 8);
+    const auto& ids = scene.get<Water>().ids();
+    const auto at_ids = renumbered.find(std::string(reinterpret_cast<const char*>(ids.data()), 4 * ids.size()));
+    REQUIRE(at_ids != std::string::npos);
+    renumbered.replace(at_ids, 4, std::string(4, char(127)));
+    const auto sum_of_renumbered = sph::detail::checksum(renumbered);
+    renumbered.append(reinterpret_cast<const char*>(&sum_of_renumbered), sizeof sum_of_renumbered);
+    write_file(bad, renumbered);
+    REQUIRE_THROWS_WITH(sph::read_checkpoint(scene, bad), imbibe_test::contains("were ever added"));
     REQUIRE_THROWS_AS(sph::read_checkpoint(scene, folder), sph::Error); // a folder
     CHECK((bits(scene) == before));
 
@@ -459,8 +469,7 @@ TEST_CASE("A run that goes wrong goes back and on with shorter steps", "[checkpo
     const std::string kept = ". The particles as they were: " + path.string() + ".broken";
     bool told = false; // where the particles are, each time and at last
     const auto tell = [&](const sph::Error& error) { told = std::string(error.what()).ends_with(kept); };
-    CHECK_THROWS_WITH(sph::run_and_recover(hopeless, 0.3, again, path, 1e6, 1, tell),
-                      imbibe_test::contains(kept));
+    CHECK_THROWS_WITH(sph::run_and_recover(hopeless, 0.3, again, path, 1e6, 1, tell), imbibe_test::contains(kept));
     CHECK(told);
     auto good = make<float>(1000, 1, 20 * limit); // both are on the disk: the last good state and what went wrong
     sph::read_checkpoint(good, path);

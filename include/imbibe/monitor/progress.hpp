@@ -1,6 +1,7 @@
 // The live line of a run: how far, how fast, what limits the step, how long still.
 #pragma once
 
+#include <imbibe/core/compiled_core.hpp>
 #include <imbibe/solver/solver.hpp>
 
 #include <algorithm>
@@ -35,16 +36,27 @@ public:
 
     /// Is called after every step.
     template <class Scene>
-    void operator()(const Scene& scene);
+    void operator()(const Scene& scene) {
+        note({scene.time(), scene.steps(), scene.particles(), scene.last_step()});
+    }
     /// What it prints: share, time, step, length of the step and what limits it, pace, wall time left. The step is the
     /// last one that was not cut off by the end of the run, if there was one: how short that is says nothing.
     template <class Scene>
-    std::string line(const Scene& scene) const;
+    std::string line(const Scene& scene) const {
+        return line_of({scene.time(), scene.steps(), scene.particles(), scene.last_step()});
+    }
     /// Wall time since the observer was made, s.
     double wall_seconds() const { return seconds(started_, Clock::now()); }
 
 private:
     using Clock = std::chrono::steady_clock;
+    struct Moment { // of the scene
+        double time;
+        long long steps, particles;
+        const TimeStepLimit& last_step;
+    };
+    void note(const Moment& now);
+    std::string line_of(const Moment& now) const;
     static bool cut_off(const TimeStepLimit& step) { return step.reason == "end of run"; }
     static double seconds(Clock::time_point a, Clock::time_point b) {
         return std::chrono::duration<double>(b - a).count();
@@ -54,40 +66,6 @@ private:
     Clock::time_point started_, shown_;
     TimeStepLimit whole_step_{0, "", ""}; ///< the last one that was not cut off by the end of the run
 };
-
-// Out of the class: a program may leave them to a library (`extern template`).
-
-template <class Scene>
-void Progress::operator()(const Scene& scene) {
-    const auto now = Clock::now();
-    const bool done = scene.time() >= end_ * (1 - 1e-12);
-    work_ += static_cast<double>(scene.particles());
-    if (first_) { // the first call comes before the first step
-        first_ = false;
-        work_ = 0;
-        begin_ = scene.time();
-    }
-    if (!cut_off(scene.last_step()))
-        whole_step_ = scene.last_step();
-    if (!done && seconds(shown_, now) < (live_ ? 0.5 : 20))
-        return;
-    shown_ = now;
-    std::printf("%s%s%s", live_ ? "\r" : "", line(scene).c_str(), live_ && !done ? "   " : "\n");
-    std::fflush(stdout);
-}
-
-template <class Scene>
-std::string Progress::line(const Scene& scene) const {
-    const TimeStepLimit& step = cut_off(scene.last_step()) && whole_step_.seconds > 0 ? whole_step_ : scene.last_step();
-    const double wall = wall_seconds(), share = end_ > begin_ ? (scene.time() - begin_) / (end_ - begin_) : 1;
-    const int decimals = std::isnormal(end_) ? std::clamp(3 - static_cast<int>(std::log10(end_)), 4, 12) : 4;
-    char numbers[120], pace[60];
-    std::snprintf(numbers, sizeof numbers, "%5.1f %%  t %.*f s  step %lld  dt %.2e s (", 100 * share, decimals,
-                  scene.time(), static_cast<long long>(scene.steps()), step.seconds);
-    std::snprintf(pace, sizeof pace, ")  %.2f M particle-steps/s  left ", work_ / wall * 1e-6);
-    return numbers + step.reason + ", " + step.where + pace +
-           (share > 0 ? clock_text(wall * (1 - share) / share) : "?");
-}
 
 /// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s, also where a run
 /// goes on from a checkpoint and where time has gone back to one: at the steps at which it would have been called had
@@ -141,3 +119,7 @@ Every<F> every(double interval, F what) {
 }
 
 } // namespace imbibe
+
+#if IMBIBE_READS_CODE
+#include <imbibe/monitor/progress_code.hpp>
+#endif

@@ -77,6 +77,11 @@ struct CheckpointReader {
         std::memcpy(values, bytes.data(), count * sizeof(T));
         bytes.remove_prefix(count * sizeof(T));
     }
+    /// Leaves out what array() would give.
+    void skip(std::uint64_t count, std::uint64_t size_of_each) {
+        need(count, size_of_each);
+        bytes.remove_prefix(count * size_of_each);
+    }
     void need(std::uint64_t count, std::uint64_t size_of_each) const {
         require(count <= bytes.size() / size_of_each, "checkpoint ", where,
                 ": it is shorter than it says; take the one before it");

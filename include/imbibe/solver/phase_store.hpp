@@ -125,6 +125,18 @@ public:
 
     /// Bytes that `archive` writes or reads for one particle.
     std::size_t bytes_per_archived_particle() const { return sizeof(std::uint32_t) + sizeof(Real) * columns(); }
+    /// Throws Error where what `archive` would read of `count` particles makes no sense. Goes on behind it.
+    template <class Archive>
+    void check_archived(Archive& a, std::uint64_t count) const {
+        std::uint32_t ever = 0;
+        std::vector<std::uint32_t> numbers(count);
+        a(ever);
+        a.array(numbers.data(), numbers.size());
+        for (const std::uint32_t number : numbers)
+            require(number < ever, "checkpoint: phase ", name, " has a particle of number ", number, " where only ",
+                    ever, " were ever added; take the checkpoint before it");
+        a.skip(count * columns(), sizeof(Real));
+    }
     /// All particles as they lie in memory, for checkpoints. `count`: how many, known before.
     template <class Archive>
     void archive(Archive& a, int count) {
@@ -134,10 +146,6 @@ public:
         }
         a(next_id);
         a.array(ids.data(), ids.size());
-        if constexpr (Archive::reading)
-            for (const std::uint32_t id : ids)
-                require(id < next_id, "checkpoint: phase ", name, " has a particle of number ", id, " of only ",
-                        next_id, " that were ever added; take the checkpoint before it");
         for (int k = 0; k < row->components; ++k)
             a.array(column(k), static_cast<std::size_t>(n));
         if constexpr (Archive::reading)

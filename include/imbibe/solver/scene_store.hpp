@@ -74,8 +74,12 @@ public:
                 bytes += count * s.bytes_per_archived_particle();
             }
         }
-        if constexpr (Archive::reading)
+        if constexpr (Archive::reading) {
             a.need(bytes, 1);
+            Archive ahead = a;
+            for (std::size_t k = 0; k < phases.size(); ++k)
+                phases[k].check_archived(ahead, counts[k]);
+        }
         for (std::size_t k = 0; k < phases.size(); ++k)
             phases[k].archive(a, static_cast<int>(counts[k]));
     }

@@ -1,9 +1,8 @@
 // The solver: a scene of phases and couplings, put together at compile time and run.
 #pragma once
 
-#include <imbibe/solver/distinct_places.hpp>
 #include <imbibe/solver/engine.hpp>
-#include <imbibe/solver/joined_bodies.hpp>
+#include <imbibe/solver/population.hpp>
 #include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/scene_watch.hpp>
 #include <imbibe/solver/settings.hpp>
@@ -422,32 +421,6 @@ private:
         else
             return &detail::nothing<C>();
     }
-    // Points of the world as they are stored: relative to the origin, inside the period, and that also once rounded.
-    std::vector<Point> stored_places(const std::vector<Point>& points) const {
-        std::vector<Point> places = points;
-        for (Point& x : places)
-            for (std::size_t d = 0; d < dim; ++d) {
-                double& at = x[static_cast<int>(d)];
-                at -= settings_.origin[d];
-                const double lower = engine_.periodic.lower[d], length = settings_.periodic_length[d];
-                if (length > 0)
-                    at = search::into_period(at, lower, length);
-                Real rounded = static_cast<Real>(at);
-                if (length > 0)
-                    rounded = search::into_period(rounded, static_cast<Real>(lower), static_cast<Real>(length));
-                at = static_cast<double>(rounded);
-            }
-        return places;
-    }
-    // Is it a length, and does no particle see a neighbour twice?
-    void require_support(double support, const std::string& name) const {
-        require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
-                " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
-        for (double length : settings_.periodic_length)
-            require(length == 0 || length >= engine_.reach_of(support), name, ": support_radius = ", support,
-                    " m, with its skin ", engine_.reach_of(support), " m, is longer than a period of ", length,
-                    " m; a particle would see its neighbours twice");
-    }
     // Materials and coefficients, where a program may have changed them.
     void check_numbers() {
         if (!may_have_changed_)
@@ -465,7 +438,7 @@ private:
     void check_phase(const auto& s) const {
         if (s.size() > 0) {
             s.material.check(detail::type_name<P>());
-            require_support(s.material.support_radius, detail::type_name<P>());
+            detail::require_support(engine_, s.material.support_radius, detail::type_name<P>());
             detail::check_terms<P>(s.material, typename P::terms{});
         }
     }
@@ -479,17 +452,14 @@ private:
         (detail::check_shared_parts(coupling<C>(), coupling<D>(), typename C::terms{}), ...);
     }
 
-    // A particle's place as it is stored, and in the coordinates of the world.
-    template <class S, class F = Position>
-    static Point place_of(const S& s, int i, F = {}) {
-        Point x;
-        for (int d = 0; d < dim; ++d)
-            x[d] = static_cast<double>(s.column(S::template offset<F> + d)[i]);
-        return x;
-    }
+    // A particle's place in the coordinates of the world.
     template <class S>
     Point position_of(const S& s, int i) const {
-        return place_of(s, i) + Eigen::Map<const Point>(settings_.origin.data());
+        Point x;
+        for (int d = 0; d < dim; ++d)
+            x[d] = static_cast<double>(s.column(S::template offset<Position> + d)[i]) +
+                   settings_.origin[static_cast<std::size_t>(d)];
+        return x;
     }
 
     // Which limits are on a step, and which on the shorter ones that it is made of.
@@ -524,52 +494,20 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
     const std::string name = detail::type_name<P>();
     material.check(name);
     require(std::isfinite(spacing) && spacing > 0, name, ": spacing = ", spacing, " m; it must be above 0 m");
-    const double support = material.support_radius == 0 ? settings_.support_radius : material.support_radius;
-    require_support(support, name);
-    for (std::size_t k = 0; k < points.size(); ++k)
-        for (int d = 0; d < dim; ++d)
-            require(std::isfinite(points[k][d]), name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
-                    "; all coordinates must be finite numbers, m");
-    const auto s = find_phase<P>(engine_);
     P complete = material;
     complete.spacing = spacing;
-    complete.support_radius = support;
+    if (complete.support_radius == 0)
+        complete.support_radius = settings_.support_radius;
+    detail::require_support(engine_, complete.support_radius, name);
+    const auto s = find_phase<P>(engine_);
     if (s.size() > 0)
         detail::require_same_material(s.material, complete, name);
-    require(static_cast<double>(s.size()) + static_cast<double>(points.size()) < 0x1p31, name, ": ", points.size(),
-            " points for a phase of ", s.size(), " particles; at most 2^31 - 1 are possible");
-    if constexpr (std::is_same_v<Real, float>) // products of two volumes are formed
-        require(std::pow(spacing, 2 * dim) > 1e-37 && std::pow(spacing, 2 * dim) < 1e26, name, ": spacing = ", spacing,
-                " m; in float it must be between ", std::pow(1e-37, 0.5 / dim), " and ", std::pow(1e26, 0.5 / dim),
-                " m. Take double");
-    const std::vector<Point> places = stored_places(points);
-    detail::require_distinct_places<dim>(
-        places, s.size(), [&](int i) { return place_of(s, i); }, spacing, engine_.periodic, name);
-    if constexpr (detail::contains<detail::LinkType<P, P, true>, typename Engine::Links>)
-        detail::require_unstrained_neighbours<dim>(
-            places, s.size(), [&](int i) { return place_of(s, i, reference_position); },
-            [&](int i) { return place_of(s, i); }, support, engine_.periodic,
-            Eigen::Map<const Point>(settings_.origin.data()), name);
+    const auto places = detail::places_of_new(engine_, Scene::template phase_index<P>, points, spacing,
+                                              complete.support_radius, settings_.origin);
     if (s.size() == 0)
         s.material = complete;
     detail::note_doubts_of_material<dim>(warnings_, s.material, name, typename P::terms{});
-    const int before = s.size();
-    s.store.resize(before + static_cast<int>(points.size()));
-    const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
-    for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-        const Point& x = places[static_cast<std::size_t>(k)];
-        const int i = before + k;
-        for (int d = 0; d < dim; ++d) {
-            s.column(State<P>::template offset<Position> + d)[i] = static_cast<Real>(x[d]);
-            if constexpr (State<P>::keeps_reference)
-                s.column(State<P>::template offset<ReferencePosition> + d)[i] = static_cast<Real>(x[d]);
-        }
-        s.field(mass)[i] = static_cast<Real>(material.density * cell);
-        if constexpr (detail::contains<Density, FieldsOf<P>>)
-            s.field(density)[i] = static_cast<Real>(material.density);
-        if constexpr (detail::contains<Mobility, FieldsOf<P>>)
-            s.field(mobility)[i] = Real(1);
-    }
+    detail::add_particles(s.store, places, complete.density, spacing);
     prepared_ = false;
     may_have_changed_ = true;
     return {};

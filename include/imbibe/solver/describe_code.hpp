@@ -1,0 +1,88 @@
+// The code of describe.hpp: puts a scene into words.
+#pragma once
+
+#include <imbibe/solver/describe.hpp>
+#include <imbibe/solver/scene_watch.hpp>
+
+namespace imbibe::detail {
+
+/// The name of the type in a signature.
+IMBIBE_CODE std::string full_type_name(std::string_view function) {
+    const auto begin = function.find("T = ") + 4;
+    std::string all(function.substr(begin, function.find_last_of("];") - begin));
+    all = all.substr(0, all.find("; std::string_view"));
+    for (const char* noise :
+         {"(anonymous namespace)::", "{anonymous}::", "imbibe::presets::", "imbibe::", ", {{}}", "{}", "()"})
+        for (auto at = all.find(noise); at != std::string::npos; at = all.find(noise))
+            all.erase(at, std::string_view(noise).size());
+    return all;
+}
+IMBIBE_CODE std::string type_names(std::initializer_list<std::string_view> signatures) {
+    std::string names;
+    for (const auto& one : signatures)
+        names += (names.empty() ? "" : ", ") + full_type_name(one);
+    return names.empty() ? "none" : names;
+}
+IMBIBE_CODE std::string limits_in_words(const std::vector<TimeStepLimit>& limits) {
+    std::string words;
+    for (const TimeStepLimit& limit : limits)
+        words += text(" ", limit.seconds, " s (", limit.reason, ", ", limit.where, ");");
+    return words;
+}
+/// A line that names the pairs of phases between which nothing acts, or none.
+template <int dim, class Real>
+std::string uncoupled_in_words(const SceneStore<dim, Real>& scene) {
+    std::string words;
+    for (const PhasePair& pair : pairs_of_phases(scene))
+        if (!pair.coupled)
+            words += text(words.empty() ? "Nothing acts between: " : "; ", scene.phase(pair.first).name, " and ",
+                          scene.phase(pair.second).name);
+    return words.empty() ? words : words + "\n";
+}
+
+template <int dim, class Real>
+std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings<dim>& settings,
+                           const TypesInWords& types, const LimitsInWords& limits) {
+    long long particles = 0;
+    for (const auto& s : scene.phases)
+        particles += s.size();
+    std::string out = text("Scene in ", dim, "D, ", sizeof(Real) == 4 ? "float" : "double", " in packs of ",
+                           scene.width, ", ", scene.threads, scene.threads == 1 ? " thread" : " threads", ", ",
+                           particles, " particles, support radius ", settings.support_radius * 1e3, " mm\n");
+    for (std::size_t k = 0; k < scene.phases.size(); ++k) {
+        const auto& s = scene.phases[k];
+        const PhaseNumbers numbers = s.numbers();
+        out += text("  ", s.name, ": ", s.size(), " particles, spacing ", numbers.spacing * 1e3, " mm, support radius ",
+                    numbers.support_radius * 1e3, " mm, ", static_cast<std::size_t>(s.row->components) * sizeof(Real),
+                    " bytes each\n    material: ", types.phases[k].material, "\n    effects: ", types.phases[k].effects,
+                    "\n    fields:  ");
+        for (std::size_t f = 0; f < s.row->fields.size(); ++f)
+            out.append(f == 0 ? "" : ", ").append(s.row->fields[f].name);
+        out += text("\n    sweeps:  ", types.phases[k].sweeps, " a step\n");
+    }
+    for (std::size_t k = 0; k < types.couplings.size(); ++k) {
+        const CouplingRow& row = scene.table.couplings[k];
+        out += text("  ", row.name(), " (", scene.phase(row.first).name, ", ", scene.phase(row.second).name,
+                    "): ", types.couplings[k], "\n");
+    }
+    out += uncoupled_in_words(scene);
+    out += text("Schedule: ", types.rounds, " rounds, ", types.loops,
+                " loops\nMemory: ", static_cast<double>(scene.particle_bytes()) * 1e-6, " MB for particles, ",
+                static_cast<double>(scene.list_bytes()) * 1e-6, " MB for neighbours\n");
+    for (std::size_t k = 0; k < scene.links.size(); ++k) {
+        const LinkRow& row = scene.links[k].row;
+        const double mean = scene.mean_neighbours(scene.links[k]);
+        if (mean > 0)
+            out += text("Neighbours: ", scene.phase(row.a).name, " has ", mean, " of ", scene.phase(row.b).name,
+                        row.reference ? " (reference)" : "", " on average; ", types.loads[k],
+                        " numbers of each are loaded in a step\n");
+    }
+    out += "Time step:" + limits_in_words(limits.step);
+    if (!limits.substep.empty())
+        out += "\n  within it:" + limits_in_words(limits.substep);
+    out += text("\n  first step ", limits.first.seconds, " s, from ", limits.first.reason, " (", limits.first.where,
+                ")\n");
+    return out;
+}
+
+} // namespace imbibe::detail

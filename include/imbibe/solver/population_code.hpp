@@ -1,0 +1,89 @@
+// The code of population.hpp: checks new particles and adds them.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/solver/distinct_places.hpp>
+#include <imbibe/solver/joined_bodies.hpp>
+#include <imbibe/solver/population.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace imbibe::detail {
+
+template <int dim, class Real>
+void require_support(const Neighbourhood<dim, Real>& scene, double support, const std::string& name) {
+    require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
+            " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
+    for (const double length : scene.periodic.length)
+        require(length == 0 || length >= scene.reach_of(support), name, ": support_radius = ", support,
+                " m, with its skin ", scene.reach_of(support), " m, is longer than a period of ", length,
+                " m; a particle would see its neighbours twice");
+}
+
+template <int dim, class Real>
+std::vector<Point<dim>> places_of_new(const Neighbourhood<dim, Real>& scene, int phase,
+                                      const std::vector<Point<dim>>& points, double spacing, double support,
+                                      const Origin<dim>& origin) {
+    const PhaseStore<dim, Real>& s = scene.phase(phase);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        for (int d = 0; d < dim; ++d)
+            require(std::isfinite(points[k][d]), s.name, ": coordinate ", d, " of point ", k, " is ", points[k][d],
+                    "; all coordinates must be finite numbers, m");
+    require(static_cast<double>(s.size()) + static_cast<double>(points.size()) < 0x1p31, s.name, ": ", points.size(),
+            " points for a phase of ", s.size(), " particles; at most 2^31 - 1 are possible");
+    if (std::is_same_v<Real, float>) // products of two volumes are formed
+        require(std::pow(spacing, 2 * dim) > 1e-37 && std::pow(spacing, 2 * dim) < 1e26, s.name,
+                ": spacing = ", spacing, " m; in float it must be between ", std::pow(1e-37, 0.5 / dim), " and ",
+                std::pow(1e26, 0.5 / dim), " m. Take double");
+    std::vector<Point<dim>> places = points;
+    for (Point<dim>& x : places)
+        for (int d = 0; d < dim; ++d) {
+            const auto axis = static_cast<std::size_t>(d);
+            const double lower = scene.periodic.lower[axis], length = scene.periodic.length[axis];
+            x[d] -= origin[axis];
+            if (length > 0)
+                x[d] = search::into_period(x[d], lower, length);
+            Real rounded = static_cast<Real>(x[d]);
+            if (length > 0)
+                rounded = search::into_period(rounded, static_cast<Real>(lower), static_cast<Real>(length));
+            x[d] = static_cast<double>(rounded);
+        }
+    const auto place_in = [&s](int first) {
+        return [&s, first](int i) {
+            Point<dim> x;
+            for (int d = 0; d < dim; ++d)
+                x[d] = static_cast<double>(s.column(first + d)[i]);
+            return x;
+        };
+    };
+    const auto now = place_in(s.row->position);
+    require_distinct_places<dim>(places, s.size(), now, spacing, scene.periodic, s.name);
+    if (std::any_of(scene.links.begin(), scene.links.end(),
+                    [&](const Link& link) { return link.row.reference && link.row.a == phase; }))
+        require_unstrained_neighbours<dim>(places, s.size(), place_in(s.row->reference_position), now, support,
+                                           scene.periodic, Eigen::Map<const Point<dim>>(origin.data()), s.name);
+    return places;
+}
+
+template <int dim, class Real>
+void add_particles(PhaseStore<dim, Real>& phase, const std::vector<Point<dim>>& places, double density,
+                   double spacing) {
+    const PhaseRow& row = *phase.row;
+    const int before = phase.size(), after = before + static_cast<int>(places.size());
+    phase.resize(after);
+    const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
+    const auto set = [&](int column, double value) {
+        if (column >= 0)
+            std::fill(phase.column(column) + before, phase.column(column) + after, static_cast<Real>(value));
+    };
+    set(row.mass, density * cell);
+    set(row.density, density);
+    set(row.mobility, 1);
+    for (int first : {row.position, row.reference_position})
+        for (int d = 0; d < dim && first >= 0; ++d)
+            for (int i = before; i < after; ++i)
+                phase.column(first + d)[i] = static_cast<Real>(places[static_cast<std::size_t>(i - before)][d]);
+}
+
+} // namespace imbibe::detail
