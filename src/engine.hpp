@@ -7,6 +7,7 @@
 #include <imbibe/solver/population.hpp>
 #include <imbibe/solver/scene_engine.hpp>
 #include <imbibe/solver/scene_watch.hpp>
+#include <imbibe/solver/time_step_limits.hpp>
 #include <imbibe/solver/warnings.hpp>
 
 #define IMBIBE_ENGINE(dim, Real)                                                                                       \
@@ -25,6 +26,7 @@
     template void add_particles(PhaseStore<dim, Real>&, const std::vector<Point<dim>>&, double, double);               \
     template OutlineOfScene outline_of(const SceneStore<dim, Real>&, const Origin<dim>&);                              \
     template std::vector<PhasePair> pairs_of_phases(const SceneStore<dim, Real>&);                                     \
+    template std::vector<TimeStepLimit> limits_of(const Neighbourhood<dim, Real>&, std::span<const LimitRow>, bool);   \
     template std::string describe_scene(const Neighbourhood<dim, Real>&, const Settings<dim>&, const TypesInWords&,    \
                                         const LimitsInWords&);                                                         \
     template void note_doubts_of_scene(Warnings&, const Neighbourhood<dim, Real>&, const Origin<dim>&,                 \

@@ -62,8 +62,8 @@ std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings
     }
     for (std::size_t k = 0; k < types.couplings.size(); ++k) {
         const CouplingRow& row = scene.table.couplings[k];
-        out += text("  ", row.name(), " (", scene.phase(row.first).name, ", ", scene.phase(row.second).name,
-                    "): ", types.couplings[k], "\n");
+        out += text("  ", scene.coupling_names[k], " (", scene.phase(row.first).name, ", ",
+                    scene.phase(row.second).name, "): ", types.couplings[k], "\n");
     }
     out += uncoupled_in_words(scene);
     out += text("Schedule: ", types.rounds, " rounds, ", types.loops,

@@ -33,6 +33,7 @@ public:
     SceneTable table;
     std::vector<Phase> phases;
     std::vector<std::any> couplings; ///< an object of each one's type
+    std::vector<std::string> coupling_names;
     std::vector<Link> links;
 
     Vector<double, dim> gravity{};

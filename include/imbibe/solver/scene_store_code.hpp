@@ -9,8 +9,10 @@ template <int dim, class Real>
 SceneStore<dim, Real>::SceneStore(const SceneTable& of) : table(of) {
     for (const PhaseRow& row : table.phases)
         phases.emplace_back(row);
-    for (const CouplingRow& row : table.couplings)
+    for (const CouplingRow& row : table.couplings) {
         couplings.push_back(row.coupling());
+        coupling_names.push_back(row.name());
+    }
     for (const LinkRow& row : table.links)
         links.push_back({.row = row, .runs = {}});
 }

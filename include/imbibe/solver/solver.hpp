@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/solver/engine.hpp>
+#include <imbibe/solver/limit_rows.hpp>
 #include <imbibe/solver/population.hpp>
 #include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/scene_watch.hpp>
@@ -243,7 +244,9 @@ public:
     /// Is a step made of shorter ones of one phase (time/subcycled.hpp) or of some terms (time/dual_stepping.hpp)?
     static constexpr bool subcycles = requires { Integrator::template in_substeps<void, void>; };
     /// The limits on these shorter steps, without the CFL number, shortest first.
-    std::vector<TimeStepLimit> substep_limits() const requires subcycles { return limits_of<OfShortSteps>(); }
+    std::vector<TimeStepLimit> substep_limits() const requires subcycles {
+        return detail::limits_of(engine_, LimitRows::rows, true);
+    }
     /// How many of them the last step was made of.
     int substeps() const requires subcycles { return substeps_; }
     /// The step that would be taken next, and what limits it: of speeds as they were after the last step or `prepare`.
@@ -462,27 +465,7 @@ private:
         return x;
     }
 
-    // Which limits are on a step, and which on the shorter ones that it is made of.
-    struct OfSubsteps {
-        template <class Where, class Term>
-        static constexpr bool chosen = Integrator::template in_substeps<Where, Term>;
-    };
-    struct OfLongSteps {
-        template <class Where, class Term>
-        static constexpr bool chosen = !Integrator::template in_substeps<Where, Term>;
-    };
-    using OfSteps = std::conditional_t<subcycles, OfLongSteps, detail::AllLimits>;
-    // Where a scene is compiled whole, clang++ 14 compiles what `requires` rules out, too.
-    using OfShortSteps = std::conditional_t<subcycles, OfSubsteps, detail::AllLimits>;
-    template <class Which>
-    std::vector<TimeStepLimit> limits_of() const {
-        detail::TimeStepLimits<Engine, Which> limits(engine_);
-        [&]<class... P>(TypeList<P...>) { (limits.template add_phase<P>(), ...); }(Phases{});
-        [&]<class... C>(TypeList<C...>) { (limits.template add_coupling<C>(), ...); }(Couplings{});
-        if constexpr (std::is_same_v<Which, OfLongSteps> && requires { Integrator::limits_advection; })
-            [&]<class... P>(TypeList<P...>) { (limits.template add_advection<P>(), ...); }(Phases{});
-        return std::move(limits).sorted();
-    }
+    using LimitRows = detail::LimitRows<dimension, Scene, Integrator>;
 };
 
 // Functions of some length, out of the class: a program may leave them to a library (`extern template`).
@@ -515,7 +498,7 @@ PhaseHandle<P> Solver<dim, Real_, Integrator_, Items...>::add(const P& material,
 
 template <int dim, class Real_, class Integrator_, class... Items>
 std::vector<TimeStepLimit> Solver<dim, Real_, Integrator_, Items...>::time_step_limits() const {
-    return limits_of<OfSteps>();
+    return detail::limits_of(engine_, LimitRows::rows, false);
 }
 
 template <int dim, class Real_, class Integrator_, class... Items>

@@ -5,6 +5,7 @@
 
 #include <imbibe/core/build_options.hpp>
 #include <imbibe/core/field.hpp>
+#include <imbibe/core/term.hpp>
 #include <imbibe/solver/schedule.hpp>
 
 #include <any>
@@ -70,6 +71,21 @@ struct CouplingRow {
     /// does not count the other?
     bool first_counts_no_second = false, second_counts_no_first = false;
     std::any (*coupling)() = nullptr; ///< one with coefficients that nobody has changed yet
+};
+
+/// What a limit on the time step is of.
+enum class LimitKind { of_phase, of_coupling, of_acceleration, of_advection };
+
+/// A limit on the time step: of a term of a phase or of a coupling, or of none.
+struct LimitRow {
+    LimitKind kind = LimitKind::of_phase;
+    int phase = 0, other = -1, coupling = -1; ///< of a coupling both of its phases
+    const char* reason = nullptr;
+    /// What the term says, s; below 0 or infinite: none. @param owner has its coefficients
+    double (*seconds)(const std::any& owner, const std::any& material, const std::any& other,
+                      const TimeStepInput& in) = nullptr;
+    int greatest = -1, least_trace = -1; ///< fields, by their first columns, of which the term asks for an extreme
+    bool of_substeps = false;            ///< on the short steps that a step is made of
 };
 
 /// Phase `a` sums over neighbours in phase `b`: those of now, or those of the stress-free configuration.
