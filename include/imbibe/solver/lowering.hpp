@@ -136,18 +136,18 @@ private:
         }
         static constexpr auto swept = links_of_sweep();
         template <class N>
-        static constexpr void note(Loop<dim, Real>& loop) {
+        static constexpr void note(Loop<dim, Real>& made) {
             using A = typename N::A;
             if constexpr (is_advance<N>) {
                 using F = typename N::Field;
-                loop.reads_own = loop.reads_own | Scene::template columns<A>(TypeList<F, Rate<F>>{});
-                loop.writes = loop.writes | Scene::template columns<A>(TypeList<F>{});
-                loop.advances_density = loop.advances_density || std::is_same_v<F, Density>;
+                made.reads_own = made.reads_own | Scene::template columns<A>(TypeList<F, Rate<F>>{});
+                made.writes = made.writes | Scene::template columns<A>(TypeList<F>{});
+                made.advances_density = made.advances_density || std::is_same_v<F, Density>;
             } else {
-                loop.reads_own = loop.reads_own | Scene::template columns<A>(ReadsOnA<dim, N>{});
+                made.reads_own = made.reads_own | Scene::template columns<A>(ReadsOnA<dim, N>{});
                 if constexpr (is_pair_node<dim, N>)
-                    loop.reads_near = loop.reads_near | Scene::template columns<typename N::B>(ReadsOnB<dim, N>{});
-                loop.writes = loop.writes | Scene::template columns<A>(Concat<typename N::Adds, typename N::Sets>{});
+                    made.reads_near = made.reads_near | Scene::template columns<typename N::B>(ReadsOnB<dim, N>{});
+                made.writes = made.writes | Scene::template columns<A>(Concat<typename N::Adds, typename N::Sets>{});
             }
         }
 
