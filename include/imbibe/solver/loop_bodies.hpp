@@ -58,7 +58,7 @@ using NodesOfLoop = typename PickNodes<
 
 /// The body of a loop with the given nodes of phase P.
 template <int dim, class Real, class Scene, class P>
-class LoopBody {
+class IMBIBE_PER_BUILD LoopBody {
     using Engine = SceneEngine<dim, Real>;
     using Phase = PhaseStore<dim, Real>;
     using Fields = typename Scene::template FieldsOf<P>;

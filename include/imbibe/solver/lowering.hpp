@@ -74,7 +74,7 @@ public:
 
 /// The tables of a scene. @tparam Scene a Composition
 template <int dim, class Real, class Scene>
-class Lowering {
+class IMBIBE_PER_BUILD Lowering {
     using Phases = typename Scene::Phases;
     using Couplings = typename Scene::Couplings;
     template <class P>
