@@ -9,8 +9,8 @@
 #endif
 
 /// Stands before the definition of a function that is no template.
-#ifdef IMBIBE_CORE_SOURCE // in a file of imbibe::core: it is there, whether the file calls it or not
-#define IMBIBE_CODE [[gnu::used]] inline
+#ifdef IMBIBE_CORE_SOURCE // in the file of imbibe::core that has them
+#define IMBIBE_CODE
 #else
 #define IMBIBE_CODE inline
 #endif
