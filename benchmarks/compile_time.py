@@ -69,12 +69,6 @@ class Compiler:
               f"{found[2]:.0f} kB of code", flush=True)
         return found
 
-    def measure_text(self, text):
-        path = os.path.join(self.folder.name, "step.cpp")
-        with open(path, "w") as file:
-            file.write(text)
-        return self.measure(path)
-
 
 class Page:
     """The document. Every row is written as soon as it is measured, in the place of the row that begins alike."""
@@ -128,46 +122,9 @@ def in_words(found):
     return [f"{found[0]:.1f}", f"{found[1]:.2f}", f"{found[2]:.0f}"]
 
 
-def steps_of_dam_break():
-    """[(words, program)]: the dam break of the README, built up piece by piece."""
-    with open(os.path.join(ROOT, "examples/dam_break.cpp")) as file:
-        whole = file.read()
-    include = "#include <imbibe/imbibe.hpp>\n"
-    scene = whole[:whole.index("int main()")]
-    described = re.search(r".*describe\(scene\).*\n", whole).group(0)
-    run = re.search(r" *scene\.run_until\(end.*\n", whole).group(0)
-    quiet, short = whole.replace(described, ""), "    scene.run_until(end);\n"
-    return [("`#include <Eigen/Core>`", "#include <Eigen/Core>\nint main() {}\n"),
-            ("`#include <imbibe/solver/solver.hpp>`", "#include <imbibe/solver/solver.hpp>\nint main() {}\n"),
-            ("`#include <imbibe/imbibe.hpp>`", include + "int main() {}\n"),
-            ("the scene as a type", scene + "static_assert(sizeof(Scene) > 0);\nint main() {}\n"),
-            ("its particles", quiet.replace(run, "")),
-            ("a run", quiet.replace(run, short)),
-            ("`describe`", whole.replace(run, short)),
-            ("progress and snapshots: the whole program", whole)]
-
-
-def measure_steps(page, compiler):
-    before = 0
-    for words, text in steps_of_dam_break():
-        seconds, _, code = compiler.measure_text(text)
-        page.put("steps", [words, f"{seconds:.1f}", f"{seconds - before:+.1f}", f"{code:.0f}"])
-        before = seconds
-    dam_break = os.path.join(ROOT, "examples/dam_break.cpp")
-    seconds, _, code = compiler.measure(dam_break, ["-O0"])  # later options count
-    page.put("steps", ["the same, not optimised (`-O0`)", f"{seconds:.1f}", f"{seconds - before:+.1f}", f"{code:.0f}"])
-    if compiler.name.startswith("g++"):  # which finds what is precompiled by itself
-        os.makedirs(os.path.join(compiler.folder.name, "imbibe"))
-        compiler.once(os.path.join(ROOT, "include/imbibe/imbibe.hpp"), ["-x", "c++-header"],
-                      os.path.join(compiler.folder.name, "imbibe/imbibe.hpp.gch"))
-        seconds, _, code = compiler.measure(dam_break, [f"-I{compiler.folder.name}"])
-        page.put("steps", ["the same, `imbibe.hpp` being precompiled", f"{seconds:.1f}", f"{seconds - before:+.1f}",
-                           f"{code:.0f}"])
-
-
 def measure_phases(page, compiler):
-    """What g++ itself says of its time for the dam break."""
-    report = compiler.once(os.path.join(ROOT, "examples/dam_break.cpp"), ["-ftime-report"])[2]
+    """What g++ itself says of its time for the dam break, linked with imbibe::core."""
+    report = compiler.once(os.path.join(ROOT, "examples/dam_break.cpp"), [*flags_of(["core"]), "-ftime-report"])[2]
     words = {"phase parsing": "reading headers, with the templates that needs",
              "phase lang. deferred": "instantiating the rest of the templates",
              "phase opt and generate": "optimising and writing code"}
@@ -180,8 +137,8 @@ def measure_phases(page, compiler):
 
 
 def measure_code(page, compiler):
-    """What the code of the dam break is for."""
-    compiler.measure(os.path.join(ROOT, "examples/dam_break.cpp"))
+    """What the code of the dam break is for, linked with imbibe::core."""
+    compiler.measure(os.path.join(ROOT, "examples/dam_break.cpp"), flags_of(["core"]))
     symbols = subprocess.run(["nm", "-S", "-C", compiler.object], capture_output=True, text=True, check=True).stdout
     sizes = dict.fromkeys(CODE, 0)
     for size, name in re.findall(r"^\w+ (\w+) [tTwWuU] (.*)$", symbols, re.MULTILINE):
@@ -207,15 +164,13 @@ def main():
     parser.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)), help="which core (default: the last)")
     parser.add_argument("--repeats", type=int, default=1, help="the least of so many is kept (default: 1)")
     parser.add_argument("--check", action="store_true", help="only compare memory with its budget; write nothing")
-    parser.add_argument("--only", default="", help="only programs whose path has this in it; or steps, phases, code")
+    parser.add_argument("--only", default="", help="only programs whose path has this in it; or phases, code")
     parser.add_argument("--page", default=os.path.join(ROOT, "docs", "compile_time.md"), help="the page to write into")
     arguments = parser.parse_args()
     compilers = [Compiler(name, arguments.core, arguments.repeats) for name in arguments.compilers]
     if arguments.check:
         return check(compilers[0])
     page = Page(arguments.page)
-    if arguments.only in ("", "steps"):
-        measure_steps(page, compilers[0])
     if arguments.only in ("", "phases"):
         measure_phases(page, compilers[0])
     if arguments.only in ("", "code"):
