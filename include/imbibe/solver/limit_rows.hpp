@@ -86,7 +86,7 @@ double advection_limit_in_phase(const std::any& owner, const std::any&, const st
 /// The rows of a scene. @tparam Scene a Composition, @tparam Integrator says which are on the short steps that a step
 /// is made of, if it is
 template <int dim, class Scene, class Integrator>
-class LimitRows {
+class IMBIBE_PER_BUILD LimitRows {
     template <class Where, class Term>
     static constexpr bool in_substeps() {
         if constexpr (requires { Integrator::template in_substeps<Where, Term>; })

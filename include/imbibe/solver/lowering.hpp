@@ -24,7 +24,7 @@ std::any any_of() {
 
 /// The row of a phase.
 template <int dim, class Scene, class P>
-class PhaseRowOf {
+class IMBIBE_PER_BUILD PhaseRowOf {
     using Fields = typename Scene::template FieldsOf<P>;
     template <class... F>
     static constexpr std::array<FieldRow, sizeof...(F)> field_rows(TypeList<F...>) {

@@ -77,7 +77,8 @@ public:
     /// The distance of the nearest particles of a coupling's phases, m, as it was when it was measured last; infinite
     /// where no term asks for it.
     double nearest_of_coupling(int k) const {
-        const Link* const link = link_of_coupling(k);
+        const bool asked = this->table.couplings[static_cast<std::size_t>(k)].asks_for_nearest;
+        const Link* const link = asked ? link_of_coupling(k) : nullptr;
         return link == nullptr ? std::numeric_limits<double>::infinity() : link->nearest;
     }
     /// The mean number of neighbours within the support, the particle itself not counted, over a sample of particles.

@@ -114,7 +114,7 @@ public:
 
     // ---- what integrators keep of a step's beginning ----
     AlignedVector<Real> remembered; ///< positions, velocities and states, in this order
-    AlignedVector<Real> kept_sums;  ///< see SceneEngine::keep_sums
+    AlignedVector<Real> kept_sums;  ///< see Mover::keep_sums
 
     std::size_t bytes() const {
         std::size_t numbers = values.capacity() + spare.capacity() + image.capacity() + places_then.capacity();

@@ -84,8 +84,7 @@ std::vector<TimeStepLimit> limits_of(const Neighbourhood<dim, Real>& scene, std:
             in.support_radius = scene.support(row.phase, row.other);
             in.other_spacing = inputs[static_cast<std::size_t>(row.other)].spacing;
             in.other_max_speed = inputs[static_cast<std::size_t>(row.other)].max_speed;
-            if (scene.table.couplings[static_cast<std::size_t>(row.coupling)].asks_for_nearest)
-                in.nearest = scene.nearest_of_coupling(row.coupling);
+            in.nearest = scene.nearest_of_coupling(row.coupling);
             where = scene.coupling_names[static_cast<std::size_t>(row.coupling)];
             seconds = row.seconds(scene.couplings[static_cast<std::size_t>(row.coupling)], phase.material,
                                   other.material, in);
