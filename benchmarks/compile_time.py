@@ -25,8 +25,13 @@ from marked_tables import put_row
 SPONGE = [f"examples/support/sponge_run_{name}.cpp"
           for name in ("paper_float", "paper_double", "sound_float", "sound_double")]
 FROM_A_PRESET = "examples/guides/from_a_preset.cpp"  # a dam break, too
-BUDGET = {  # s and GB, of what is linked with imbibe::core, as the README's build links its examples
+BUDGET = {  # s and GB, linked with imbibe::core and with precompiled headers, as the README's build makes its examples
     "examples/dam_break.cpp": (5, 0.7), FROM_A_PRESET: (5, 0.7), SPONGE[2]: (10, 1.0)}
+WAYS = {  # how a program can be compiled: as where CMake links a library, or where it precompiles the headers
+    "core": ["-DIMBIBE_COMPILED_CORE"], "presets": ["-DIMBIBE_COMPILED_CORE", "-DIMBIBE_COMPILED_PRESETS"],
+    "precompiled": []}
+IN_WORDS = {("core",): "linked with imbibe::core", ("presets",): "linked with imbibe::presets",
+            ("core", "precompiled"): "linked with imbibe::core, headers precompiled", (): "from headers alone"}
 CODE = {  # what the code of a program is for, by the names of its functions: the first that fits
     "sweeps over neighbours": r"sweep_(block|sources)",
     "output": r"Vtk|Snapshots|AtomicFile|require_writable|xml_escaped",
@@ -60,12 +65,20 @@ class Compiler:
             sys.exit(f"compile_time.py: failed: {' '.join(command)}\n{text}")
         return used.ru_utime + used.ru_stime, used.ru_maxrss * 1024e-9, text
 
-    def measure(self, path, flags=()):
-        """(seconds, GB, kB of code): the least of the repeats."""
+    def measure(self, path, ways=()):
+        """(seconds, GB, kB of code) of a program compiled in some of WAYS: the least of the repeats."""
+        flags = [flag for way in ways for flag in WAYS[way]]
+        if "precompiled" in ways:
+            header = os.path.join(self.folder.name, "read.hpp")
+            if not os.path.exists(header):
+                with open(header, "w") as file:
+                    file.write("#include <imbibe/imbibe.hpp>\n")
+                self.once(header, [*flags, "-x", "c++-header"], header + ".gch")
+            flags += ["-include", header]
         runs = [self.once(path, flags)[:2] for _ in range(self.repeats)]
         sizes = subprocess.run(["size", self.object], capture_output=True, text=True).stdout.split("\n")[1]
         found = (*(min(values) for values in zip(*runs)), int(sizes.split()[0]) * 1e-3)
-        print(f"{self.name} {os.path.relpath(path, ROOT)} {' '.join(flags)}: {found[0]:.1f} s, {found[1]:.2f} GB, "
+        print(f"{self.name} {os.path.relpath(path, ROOT)} {' '.join(ways)}: {found[0]:.1f} s, {found[1]:.2f} GB, "
               f"{found[2]:.0f} kB of code", flush=True)
         return found
 
@@ -81,39 +94,34 @@ class Page:
 
 
 def programs():
-    """[(file, libraries it is linked with, is it one of those that the build makes the main example of)]"""
+    """[(file, ways of WAYS, is it one of those that the build makes the main example of)]"""
     def under(folder):
         return sorted(os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(ROOT, folder, "*.cpp")))
 
     parts = ["examples/sponge.cpp", "examples/support/sponge_run.cpp", *SPONGE]
     alone = [path for path in under("examples") if path not in parts and not path.endswith("sponge_study.cpp")]
-    return [(path, ["core"], False) for path in [*alone, FROM_A_PRESET, *under("presets")]] + \
-        [(path, ["core", "presets"], False) for path in ("examples/gyroid.cpp", FROM_A_PRESET, SPONGE[2])] + \
-        [(path, ["core"], True) for path in parts] + [(path, [], False) for path in BUDGET]
-
-
-def flags_of(libraries):
-    """As where CMake links imbibe::core or imbibe::presets."""
-    return [f"-DIMBIBE_COMPILED_{name.upper()}" for name in libraries]
+    return [(path, ("core", "precompiled"), False) for path in BUDGET] + \
+        [(path, ("core",), False) for path in [*alone, FROM_A_PRESET, *under("presets")]] + \
+        [(path, ("presets",), False) for path in ("examples/gyroid.cpp", FROM_A_PRESET, SPONGE[2])] + \
+        [(path, ("core",), True) for path in parts] + [(path, (), False) for path in BUDGET]
 
 
 def measure_programs(page, compilers, only):
     sponge, chosen = [], [program for program in programs() if only in program[0]]
-    for path, libraries, of_the_sponge in chosen:
-        found = compilers[0].measure(os.path.join(ROOT, path), flags_of(libraries))
+    for path, ways, of_the_sponge in chosen:
+        found = compilers[0].measure(os.path.join(ROOT, path), ways)
         if of_the_sponge:
             sponge.append(found)
-        limits = BUDGET.get(path, ()) if libraries else ()
+        limits = BUDGET[path] if "precompiled" in ways else ()
         budget = ", ".join(f"{limit} {unit} {'kept' if value <= limit else 'missed'}"
                            for limit, unit, value in zip(limits, ("s", "GB"), found))
-        words = f"`{path}`, " + (f"linked with imbibe::{libraries[-1]}" if libraries else "from headers alone")
-        page.put("programs", [words, *in_words(found), budget])
+        page.put("programs", [f"`{path}`, {IN_WORDS[ways]}", *in_words(found), budget])
     if len(sponge) == sum(of_the_sponge for *_, of_the_sponge in programs()):
         columns = list(zip(*sponge))
         page.put("programs", [f"the main example, its {len(sponge)} files",
                               *in_words((sum(columns[0]), max(columns[1]), sum(columns[2]))), ""])
     for compiler in compilers[1:]:
-        for path in BUDGET if not only else [path for path, libraries, _ in chosen if not libraries]:
+        for path in BUDGET if not only else [path for path, ways, _ in chosen if not ways]:
             found = compiler.measure(os.path.join(ROOT, path))
             page.put("programs", [f"`{path}`, from headers alone, {compiler.name}", *in_words(found), ""])
 
@@ -124,7 +132,7 @@ def in_words(found):
 
 def measure_phases(page, compiler):
     """What g++ itself says of its time for the dam break, linked with imbibe::core."""
-    report = compiler.once(os.path.join(ROOT, "examples/dam_break.cpp"), [*flags_of(["core"]), "-ftime-report"])[2]
+    report = compiler.once(os.path.join(ROOT, "examples/dam_break.cpp"), [*WAYS["core"], "-ftime-report"])[2]
     words = {"phase parsing": "reading headers, with the templates that needs",
              "phase lang. deferred": "instantiating the rest of the templates",
              "phase opt and generate": "optimising and writing code"}
@@ -138,7 +146,7 @@ def measure_phases(page, compiler):
 
 def measure_code(page, compiler):
     """What the code of the dam break is for, linked with imbibe::core."""
-    compiler.measure(os.path.join(ROOT, "examples/dam_break.cpp"), flags_of(["core"]))
+    compiler.measure(os.path.join(ROOT, "examples/dam_break.cpp"), ["core"])
     symbols = subprocess.run(["nm", "-S", "-C", compiler.object], capture_output=True, text=True, check=True).stdout
     sizes = dict.fromkeys(CODE, 0)
     for size, name in re.findall(r"^\w+ (\w+) [tTwWuU] (.*)$", symbols, re.MULTILINE):
@@ -150,10 +158,9 @@ def measure_code(page, compiler):
 def check(compiler):
     """Fails where a program of a budget takes more memory than that; seconds say too little on a shared machine."""
     over = []
-    for path, libraries, _ in programs():
-        if path in BUDGET and libraries:
-            memory = compiler.measure(os.path.join(ROOT, path), flags_of(libraries))[1]
-            over += [f"{path} {' '.join(libraries)}: {memory:.2f} GB"] if memory > BUDGET[path][1] else []
+    for path, (_, limit) in BUDGET.items():
+        memory = compiler.measure(os.path.join(ROOT, path), ("core",))[1]
+        over += [f"{path}: {memory:.2f} GB"] if memory > limit else []
     if over:
         sys.exit("compile_time.py: over the budget: " + "; ".join(over))
 

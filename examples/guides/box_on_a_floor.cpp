@@ -4,6 +4,8 @@
 //   build/guide_box_on_a_floor
 #include <imbibe/imbibe.hpp>
 
+#include <Eigen/Geometry>
+
 #include <cstdio>
 #include <numbers>
 

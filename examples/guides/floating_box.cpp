@@ -6,6 +6,8 @@
 //   python3 tools/render_plane.py out-floating-box --times 0 200 500 3000 --dpi 75 -o floating_box.png
 #include <imbibe/imbibe.hpp>
 
+#include <Eigen/Geometry>
+
 #include <cstdio>
 #include <numbers>
 

@@ -3,7 +3,7 @@
 
 #include <imbibe/geometry/shape.hpp>
 
-#include <Eigen/Geometry>
+#include <cmath>
 
 namespace imbibe {
 
@@ -71,7 +71,10 @@ requires(shape_dimension<S> == 2)
     [[nodiscard]] Transformed<S> rotated(const S& shape, double angle, const Point<2>& about = Point<2>::Zero()) {
     require(std::isfinite(angle), "rotated: angle = ", angle, " rad must be finite. Give the angle in radians.");
     detail::require_finite<2>("rotated", "about", about);
-    return {shape, Eigen::Rotation2Dd{angle}.toRotationMatrix(), 1.0, about, Point<2>::Zero()};
+    const double c = std::cos(angle), s = std::sin(angle);
+    typename Transformed<S>::Matrix turn;
+    turn << c, -s, s, c;
+    return {shape, turn, 1.0, about, Point<2>::Zero()};
 }
 
 /// The 3D shape turned by `angle` (radian, right hand) round the line through `about` (m) along `axis`.
@@ -85,7 +88,14 @@ requires(shape_dimension<S> == 3)
     detail::require_finite<3>("rotated", "about", about);
     require(!axis.isZero(0), "rotated: axis = ", point_text<3>(axis),
             " must not be zero. Give any vector along the axis of rotation.");
-    return {shape, Eigen::AngleAxisd{angle, axis.stableNormalized()}.toRotationMatrix(), 1.0, about, Point<3>::Zero()};
+    // Rodrigues: c 1 + (1 - c) n n^T + s [n]x. Eigen's AngleAxis is in a header that brings its decompositions with it.
+    const Point<3> n = axis.stableNormalized(), across = std::sin(angle) * n;
+    typename Transformed<S>::Matrix turn = (1 - std::cos(angle)) * n * n.transpose();
+    turn.diagonal().array() += std::cos(angle);
+    turn(0, 1) -= across[2], turn(1, 0) += across[2];
+    turn(0, 2) += across[1], turn(2, 0) -= across[1];
+    turn(1, 2) -= across[0], turn(2, 1) += across[0];
+    return {shape, turn, 1.0, about, Point<3>::Zero()};
 }
 
 /// The shape enlarged by `factor` (1) about a point (m). Throws Error unless the factor is finite and > 0.

@@ -1,10 +1,9 @@
 // The artificial stress that keeps the particles of a stretched solid from clumping.
 #pragma once
 
+#include <imbibe/core/compiled_core.hpp>
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <type_traits>
 
@@ -41,21 +40,19 @@ struct ComponentWise {
 
 namespace detail {
 
+/// sum_k max(lambda_k, 0) n_k n_k^T with the eigenvalues lambda_k of a symmetric tensor and their directions n_k.
+SymmetricTensor<double, 2> positive_eigenpart(const SymmetricTensor<double, 2>& t);
+SymmetricTensor<double, 3> positive_eigenpart(const SymmetricTensor<double, 3>& t);
+
 template <class T, int dim>
 SymmetricTensor<T, dim> principal_tension(const SymmetricTensor<T, dim>& stress) {
-    using Matrix = Eigen::Matrix<double, dim, dim>;
-    Matrix all;
-    for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-            all(i, j) = static_cast<double>(stress(i, j)[0]);
-    Eigen::SelfAdjointEigenSolver<Matrix> axes;
-    axes.computeDirect(all);
-    const Matrix& n = axes.eigenvectors();
-    const Matrix positive = n * axes.eigenvalues().cwiseMax(0.0).asDiagonal() * n.transpose();
+    SymmetricTensor<double, dim> one{};
+    for (int k = 0; k < one.size; ++k)
+        one[k] = static_cast<double>(stress[k][0]);
+    one = positive_eigenpart(one);
     SymmetricTensor<T, dim> result{};
-    for (int i = 0; i < dim; ++i)
-        for (int j = i; j < dim; ++j)
-            result(i, j) = T(positive(i, j));
+    for (int k = 0; k < one.size; ++k)
+        result[k] = T(one[k]);
     return result;
 }
 
@@ -134,3 +131,7 @@ struct ArtificialStress {
 };
 
 } // namespace imbibe
+
+#if IMBIBE_READS_CODE
+#include <imbibe/solid/artificial_stress_code.hpp>
+#endif
