@@ -20,9 +20,9 @@ namespace sph = imbibe;
 int main(int argc, char** argv) {
     sph::example::sleep_while_waiting(argv);
     sph::presets::SpongeCase numbers;
-    sph::example::SpongeOutput output;
-    std::string composition = "sound", precision = "float", accuracy, folder = output.folder.string();
-    double end = 0.5, snapshots = 10;
+    sph::RunSettings run = sph::example::sponge_run_settings();
+    run.end = 0.5;
+    std::string composition = "sound", precision = "float", accuracy;
     bool quick = false;
 
     CLI::App app{"Water falls onto an elastic sponge and drains through its pores."};
@@ -33,14 +33,14 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"draft", "standard", "reference"}))
         ->excludes("--water-spacing")
         ->excludes("--support-ratio");
-    sph::example::add_output_options(app, end, snapshots, folder, output);
-    app.add_option("--checkpoints", output.checkpoint_interval,
+    sph::example::add_output_options(app, run);
+    app.add_option("--checkpoints", run.checkpoint_interval,
                    "wall time between checkpoints, s; 0: one at every search for neighbours")
         ->check(sph::example::Range{0, 1e6, " s"}.only())
         ->capture_default_str();
-    app.add_flag("--restart", output.restart, "go on from the checkpoint in the output folder; other options as before")
+    app.add_flag("--restart", run.restart, "go on from the checkpoint in the output folder; other options as before")
         ->excludes("--overwrite");
-    app.add_flag("--previous", output.previous,
+    app.add_flag("--previous", run.previous,
                  "go on from the one before and give up the last, as where that is damaged")
         ->needs("--restart");
     app.add_flag("--quick", quick, "one row of wide pores under 14 mm of water, to 0.12 s");
@@ -53,11 +53,9 @@ int main(int argc, char** argv) {
         numbers.strip = true;
         unless_given("--pool", numbers.pool, 14e-3);
         unless_given("--pore-radius", numbers.pore_radius, 2e-3);
-        end = app.count("--end") > 0 ? end : 0.12;
-        snapshots = app.count("--snapshots") > 0 ? snapshots : 4;
+        unless_given("--end", run.end, 0.12);
+        unless_given("--snapshots", run.snapshot_interval, 4e-3);
     }
-    output.folder = folder;
-    output.snapshot_interval = snapshots * 1e-3;
     try {
         sph::example::refuse_options_of_the_other(app, composition);
         sph::example::finish_case(app, numbers);
@@ -68,8 +66,8 @@ int main(int argc, char** argv) {
                 "that of the finest run (on a strip, until 0.15 s: docs/accuracy.md)\n\n",
                 accuracy.c_str(), 1e3 * numbers.water_spacing, 100 * chosen.difference);
         }
-        const auto result = sph::example::run_sponge(composition, precision, numbers, end, output);
-        sph::example::print_summary(numbers, result, output);
+        const auto result = sph::example::run_sponge(composition, precision, numbers, run);
+        sph::example::print_summary(numbers, result, run);
         return result.failure.empty() && result.conserved ? 0 : 1;
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "sponge: %s\n", error.what());

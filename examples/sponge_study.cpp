@@ -14,7 +14,7 @@
 #include "support/quiet_waiting.hpp"
 #include "support/sponge_options.hpp"
 
-#include <imbibe/output/file.hpp>
+#include <imbibe/output/run_folder.hpp>
 
 #include <fstream>
 
@@ -91,11 +91,14 @@ bool says(const std::filesystem::path& path, const std::string& what) {
 int main(int argc, char** argv) {
     sph::example::sleep_while_waiting(argv);
     sph::presets::SpongeCase numbers;
-    std::string study, composition = "sound", precision = "float", folder = "out-study";
-    double end = 0.5, snapshots = 25;
+    std::string study, composition = "sound", precision = "float";
     int repeats = 1;
-    sph::example::SpongeOutput chosen;
-    chosen.ways_on = {"the command that it was begun with goes on", "--overwrite begins the study anew, for example"};
+    sph::RunSettings chosen = sph::example::sponge_run_settings();
+    chosen.folder = "out-study";
+    chosen.end = 0.5;
+    chosen.snapshot_interval = 25e-3;
+    chosen.words.goes_on = "the command that it was begun with goes on";
+    chosen.words.in_shorter_steps = "--overwrite begins the study anew, for example";
 
     CLI::App app{"The sponge with four pore radii, or with four support radii."};
     app.add_option("study", study, "pores or support")->required()->check(CLI::IsMember({"pores", "support"}));
@@ -104,45 +107,44 @@ int main(int argc, char** argv) {
     app.remove_option(app.get_option("--pore-radius")); // these are what the studies vary
     app.remove_option(app.get_option("--support"));
     app.remove_option(app.get_option("--support-ratio"));
-    sph::example::add_output_options(app, end, snapshots, folder, chosen);
+    sph::example::add_output_options(app, chosen);
     app.add_option("--repeats", repeats, "runs of each case, their steps 2.5 % shorter each time")
         ->check(sph::example::Range{1, 16, ""}.only())
         ->capture_default_str();
     CLI11_PARSE(app, argc, argv);
 
-    const std::filesystem::path root = folder;
+    const std::filesystem::path root = chosen.folder;
     int failures = 0;
     std::vector<std::string> tables, labels;
     try {
         sph::example::refuse_options_of_the_other(app, composition);
         sph::example::finish_case(app, numbers);
         for (const Case& c : cases_of(study, composition, numbers, repeats)) {
-            sph::example::SpongeOutput output = chosen;
-            output.folder = root / c.name;
-            output.snapshot_interval = snapshots * 1e-3;
-            const std::string what = signature(c, precision), through = sph::text(what, " to ", end, " s");
-            tables.push_back((output.folder / "sponge.csv").string());
+            sph::RunSettings run = chosen;
+            run.folder = root / c.name;
+            const std::string what = signature(c, precision), through = sph::text(what, " to ", run.end, " s");
+            tables.push_back((run.folder / run.table).string());
             labels.push_back(c.label);
-            if (says(sph::example::finished_file(output), through)) {
+            if (says(sph::finished_file(run.folder), through)) {
                 std::printf("%s: finished before\n", c.name.c_str());
                 continue;
             }
-            output.restart = !chosen.overwrite && says(output.folder / "running.txt", what) &&
-                             std::filesystem::exists(output.folder / "checkpoint");
-            std::printf("\n==== %s%s ====\n", c.name.c_str(), output.restart ? ", continued" : "");
-            if (!output.restart) {
-                sph::example::refuse_to_lose_a_run(output);
-                output.overwrite = true; // that has been asked
+            run.restart = !chosen.overwrite && says(run.folder / "running.txt", what) &&
+                             std::filesystem::exists(run.folder / "checkpoint");
+            std::printf("\n==== %s%s ====\n", c.name.c_str(), run.restart ? ", continued" : "");
+            if (!run.restart) {
+                sph::refuse_to_lose_a_run(run);
+                run.overwrite = true; // that has been asked
                 // before this run says that it is the one in the folder; half of it must not pass for all of another
-                std::filesystem::remove(output.folder / "checkpoint");
-                std::filesystem::remove(sph::example::finished_file(output));
+                std::filesystem::remove(run.folder / "checkpoint");
+                std::filesystem::remove(sph::finished_file(run.folder));
             }
-            sph::require_writable(output.folder);
-            std::ofstream(output.folder / "running.txt") << what << '\n';
-            const auto result = sph::example::run_sponge(composition, precision, c.numbers, end, output);
-            sph::example::print_summary(c.numbers, result, output);
+            sph::require_writable(run.folder);
+            std::ofstream(run.folder / "running.txt") << what << '\n';
+            const auto result = sph::example::run_sponge(composition, precision, c.numbers, run);
+            sph::example::print_summary(c.numbers, result, run);
             if (result.failure.empty())
-                std::ofstream(sph::example::finished_file(output)) << through << '\n';
+                std::ofstream(sph::finished_file(run.folder)) << through << '\n';
             else
                 ++failures;
             if (result.stopped)

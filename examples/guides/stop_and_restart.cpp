@@ -1,9 +1,10 @@
-// Stop and restart: a dam break that is stopped half way goes on from its last checkpoint, to the same last bit as if
-// it had never stopped, with its table and its snapshots.
+// Stop and restart: a dam break that is stopped half way by Ctrl-C goes on from its checkpoint, to the same last bit as
+// if it had never stopped, with its table and its snapshots.
 //
 //   build/guide_stop_and_restart
 #include <imbibe/imbibe.hpp>
 
+#include <csignal>
 #include <cstdio>
 
 namespace sph = imbibe;
@@ -15,8 +16,6 @@ struct Tank : sph::Wall<> {};
 struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                                sph::Into<Water, sph::VolumeContinuity<K>>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Contact>;
-
-const std::filesystem::path folder = "out-restart", checkpoint = folder / "checkpoint", curve = folder / "front.csv";
 
 /// The scene as it is made, for a run from the start and for one that goes on: materials, settings and phases come from
 /// here, all that changes in a run from the checkpoint.
@@ -30,36 +29,50 @@ Scene make() {
     return scene;
 }
 
-/// Runs until `end`, s, from the start or, if there is a checkpoint, from there. Table and snapshots need not be told:
-/// what the run writes from its first moment on replaces what is there of that time and later.
-Scene run(double end) {
-    Scene scene = make();
-    if (std::filesystem::exists(checkpoint)) {
-        sph::read_checkpoint(scene, checkpoint);
-        std::printf("goes on from %.4f s\n", scene.time());
-    }
-    sph::Table table(curve, {{"time", "s"}, {"front", "m"}});
-    const auto row = [&](const Scene& now) {
-        table.row({now.time(), now.get<Water>()[sph::position].col(0).maxCoeff()});
-    };
-    scene.run_until(end, sph::every(0.01, row), sph::every(0.05, sph::Snapshots(folder)),
-                    sph::Checkpoints(checkpoint, 600, 0.1)); // every ten minutes, and every 0.1 s of simulated time
-    return scene;
+/// Runs to 0.35 s, or until somebody asks it to stop: here the program itself, as Ctrl-C would, at `stop`, s.
+sph::RunOutcome run(Scene& scene, bool restart, double stop) {
+    sph::Run run(scene, {.folder = "out-restart",
+                         .end = 0.35,
+                         .table_interval = 0.01,
+                         .snapshot_interval = 0.05,
+                         .restart = restart,
+                         .overwrite = !restart,
+                         .quiet = true});
+    double farthest = 0; // what the program itself counts goes along in the checkpoints
+    run.keep("farthest", farthest);
+    run.column("front", "m", [&] {
+        const double front = scene.get<Water>()[sph::position].col(0).maxCoeff();
+        farthest = std::max(farthest, front);
+        return front;
+    });
+    run.column("farthest", "m", [&] { return farthest; });
+    run.each([&](Scene& now) {
+        if (now.time() > stop)
+            std::raise(SIGINT);
+    });
+    return run.go();
+}
+
+/// Where the particles are, in the order in which they were added; a checkpoint sorts them by place.
+Eigen::MatrixXd places(const Scene& scene) {
+    const auto water = scene.get<Water>();
+    Eigen::MatrixXd all(water.size(), 2);
+    for (int i = 0; i < water.size(); ++i)
+        all.row(water.ids()[static_cast<std::size_t>(i)]) = water[sph::position].row(i);
+    return all;
 }
 
 int main() {
-    std::filesystem::remove_all(folder); // a checkpoint of an earlier run would be taken up
-    sph::require_writable(folder);
+    Scene first = make(), second = make(), whole = make();
+    const auto stopped = run(first, false, 0.2);
+    std::printf("stopped at %.4f s: %s\n", stopped.time, stopped.failure.c_str());
+    const auto ended = run(second, true, 1); // the program is started again
+    whole.run_until(0.35);                   // and one that was not stopped
 
-    run(0.27);               // stopped at 0.27 s, as by a power cut: what came after the checkpoint at 0.2 s is lost
-    Scene later = run(0.35); // the program is started again
-    Scene whole = make();    // and one that was not stopped
-    whole.run_until(0.35);
-
-    const auto found = later.get<Water>()[sph::position], expected = whole.get<Water>()[sph::position];
-    std::ifstream lines(curve);
+    const Eigen::MatrixXd found = places(second), expected = places(whole);
+    std::ifstream lines("out-restart/run.csv");
     const long long rows = std::count(std::istreambuf_iterator<char>(lines), {}, '\n') - 1;
-    std::printf("at %.2f s after %lld steps: off by %g m from the run that was not stopped; %lld rows\n", later.time(),
-                later.steps(), (found - expected).cwiseAbs().maxCoeff(), rows);
-    return found == expected && later.steps() == whole.steps() && rows == 36 ? 0 : 1;
+    std::printf("at %.2f s after %lld steps: off by %g m from the run that was not stopped; %lld rows, %zu snapshots\n",
+                ended.time, ended.steps, (found - expected).cwiseAbs().maxCoeff(), rows, ended.snapshots);
+    return stopped.stopped && found == expected && ended.steps == whole.steps() && rows == 36 ? 0 : 1;
 }

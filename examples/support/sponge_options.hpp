@@ -100,14 +100,18 @@ inline void add_case_options(CLI::App& app, presets::SpongeCase& numbers) {
 }
 
 /// How far a run goes, how often it writes, and whether it may write over another.
-inline void add_output_options(CLI::App& app, double& end, double& snapshots, std::string& folder,
-                               SpongeOutput& output) {
-    app.add_option("--end", end, "end time, s")->check(Range{0, 1000, " s", false, true}.only())->capture_default_str();
-    app.add_option("--snapshots", snapshots, "time between snapshots, ms; 0: none")
+inline void add_output_options(CLI::App& app, RunSettings& run) {
+    app.add_option("--end", run.end, "end time, s")->check(Range{0, 1000, " s", false, true}.only())->capture_default_str();
+    app.add_option_function<double>(
+           "--snapshots", [&run](double ms) { run.snapshot_interval = ms * 1e-3; },
+           "time between snapshots, ms; 0: none")
         ->check(Range{0, 1e6, " ms"}.only())
-        ->capture_default_str();
-    app.add_option("--output", folder, "folder for everything that is written")->capture_default_str();
-    app.add_flag("--overwrite", output.overwrite,
+        ->default_str(imbibe::text(run.snapshot_interval * 1e3));
+    app.add_option_function<std::string>(
+           "--output", [&run](const std::string& folder) { run.folder = folder; },
+           "folder for everything that is written")
+        ->default_str(run.folder.string());
+    app.add_flag("--overwrite", run.overwrite,
                  "begin anew in a folder that holds a run which has not reached its end");
 }
 

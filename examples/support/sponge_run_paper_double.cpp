@@ -4,5 +4,5 @@
 #include "sponge_run_definition.hpp"
 
 template imbibe::example::SpongeResult
-imbibe::example::run_sponge<imbibe::presets::PaperSponge, double>(const imbibe::presets::SpongeCase&, double,
-                                                                  const imbibe::example::SpongeOutput&);
+imbibe::example::run_sponge<imbibe::presets::PaperSponge, double>(const imbibe::presets::SpongeCase&,
+                                                                  const imbibe::RunSettings&);

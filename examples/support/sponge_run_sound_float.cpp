@@ -5,8 +5,8 @@
 #include "sponge_run_definition.hpp"
 
 template imbibe::example::SpongeResult
-imbibe::example::run_sponge<imbibe::presets::SoundSponge, float>(const imbibe::presets::SpongeCase&, double,
-                                                                 const imbibe::example::SpongeOutput&);
+imbibe::example::run_sponge<imbibe::presets::SoundSponge, float>(const imbibe::presets::SpongeCase&,
+                                                                 const imbibe::RunSettings&);
 
 #ifndef IMBIBE_COMPILED_PRESETS // else imbibe::presets has them
 IMBIBE_SOUND_SPONGE_FUNCTIONS(, float);

@@ -48,6 +48,7 @@
 #include <imbibe/monitor/value_at.hpp>
 #include <imbibe/monitor/wall_gauge.hpp>
 #include <imbibe/output/recover.hpp>
+#include <imbibe/output/run.hpp>
 #include <imbibe/output/snapshots.hpp>
 #include <imbibe/output/table.hpp>
 #include <imbibe/search/neighbour_search.hpp>

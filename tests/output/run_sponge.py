@@ -136,8 +136,8 @@ def check_stopped_by_its_guard(folder):
     check(code == 2, "--restart forgotten: exit status", code, said)
     for words in (str(folder), "holds a run to 0", "--restart goes on", "--overwrite begins anew"):
         check(words in said, f"--restart forgotten: '{words}' is not in", said)
-    for option, value, words in (("--young-modulus", 9e4, "--young-modulus: 70000 Pa, this command 90000 Pa"),
-                                 ("--freeboard", 6, "--freeboard: 0 mm, this command 6 mm")):
+    for option, value, words in (("--young-modulus", 9e4, "--young-modulus: 70000 Pa; now it is 90000 Pa"),
+                                 ("--freeboard", 6, "--freeboard: 0 mm; now it is 6 mm")):
         code, said = run(*common, "--end", 0.1, "--restart", option, value)
         check(code == 2 and words in said, option, "changed in a run:", code, said)
     check(before == ((folder / "checkpoint").read_bytes(), (folder / "sponge.csv").read_bytes()),

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace imbibe {
 
@@ -37,6 +38,14 @@ public:
         for (const auto& [name, series] : series_)
             most = std::max(most, series.size());
         return most;
+    }
+    /// The names of the files in the folder that list the snapshots of a scene, `water.pvd`, one for each phase.
+    template <class Scene>
+    static std::vector<std::string> lists(const Scene& scene) {
+        std::vector<std::string> names;
+        for (const auto& phase : scene.engine().phases)
+            names.push_back(file_name(scene.engine(), phase) + ".pvd");
+        return names;
     }
     /// Goes on behind the first `snapshots` of an earlier run in the same folder, whatever the time of the next one;
     /// with 0 a new series begins. Throws Error if they are not there.

@@ -98,7 +98,9 @@ public:
     }
     /// Appends one row of numbers and words: `table.row({scene.time(), scene.steps(), "wet"})`. Throws Error for words
     /// with a line break or quotation mark in them, too, and for words in the place of a time.
-    void row(std::initializer_list<Cell> cells) {
+    void row(std::initializer_list<Cell> cells) { row(std::span<const Cell>(cells.begin(), cells.size())); }
+    /// The same, of a range.
+    void row(std::span<const Cell> cells) {
         std::string line;
         for (const Cell& cell : cells) {
             if (const auto* words = std::get_if<std::string>(&cell)) {
@@ -109,7 +111,7 @@ public:
                 line += number(std::get<double>(cell)) + ',';
             }
         }
-        const auto* time = cells.size() > 0 ? std::get_if<double>(cells.begin()) : nullptr;
+        const auto* time = cells.empty() ? nullptr : std::get_if<double>(&cells.front());
         write_row(line, cells.size(), time != nullptr ? std::optional(*time) : std::nullopt);
     }
 
