@@ -7,15 +7,13 @@
 #include "support/fluid.hpp"
 #include "support/steps.hpp"
 
-#include <imbibe/fluid/density_diffusion.hpp>
-#include <imbibe/fluid/density_floor.hpp>
-#include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/tank.hpp>
+#include <imbibe/methods/total_lagrangian_solid.hpp>
+#include <imbibe/methods/weakly_compressible.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
-#include <imbibe/wall/pressure_extrapolation.hpp>
 
 namespace {
 
@@ -37,14 +35,11 @@ struct Cube {
     }
 };
 
-/// The scene of examples/dam_break.cpp, in any size. The water already runs, at its front with the 2 sqrt(g height) that
-/// it may come to: the slower it is, the more steps a search serves.
-struct Water : Fluid<Tait<7>, VolumeContinuity<K>, DensityDiffusion<K>, DensityFloor, VolumePressure<K>,
-                     MonaghanViscosity<K>> {};
+/// The scene of examples/dam_break.cpp, in any size. The water already runs, at its front with the 2 sqrt(g height)
+/// that it may come to: the slower it is, the more steps a search serves.
+struct Water : Fluid<Tait<7>, WeaklyCompressible<K>, MonaghanViscosity<K>> {};
 struct Tank : Wall<> {};
-struct TankSides
-    : Coupling<Water, Tank, Into<Tank, PressureExtrapolation<K>>, VolumePressure<K>, Into<Water, VolumeContinuity<K>>> {
-};
+struct TankSides : CouplingOf<Water, Tank> {};
 template <class Real, int search_interval = 100>
 struct DamBreak {
     using Scene = Solver<3, Real, SymplecticEuler, Water, Tank, TankSides>;
@@ -68,8 +63,7 @@ struct DamBreak {
 
 /// A total-Lagrangian column, five times as high as wide, held at its foot, that has been pushed. With all that keeps
 /// it quiet and a support of 2 spacings, or its law alone and 2.3 spacings: some 50 neighbours.
-struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>,
-                      HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
+struct Rubber : Solid<TotalLagrangianSolid<StVenantKirchhoff, K>, TotalLagrangianViscosity<K>, Clamped> {};
 struct LawAlone
     : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>, Clamped> {};
 template <class Real, class Rubber>

@@ -1,9 +1,9 @@
 // Measures the loops of a step without the search and the motion, on one thread: for a fluid and for a hypoelastic
-// solid against the same loops written by hand (support/hand_fluid.hpp, hand_solid.hpp), in turns, so that other work on
-// the machine meets both; and for a total-Lagrangian solid. About 100,000 particles; the last number of a name is the
-// support in tenths of the spacing. Counters: `particle`, the time per particle; `hand`, that of the loop by hand; `ratio`, generic over hand,
-// both the least of all turns; `operations`, floating point operations a particle that the lanes of the loop by hand
-// do. Run it:
+// solid against the same loops written by hand (support/hand_fluid.hpp, hand_solid.hpp), in turns, so that other work
+// on the machine meets both; and for a total-Lagrangian solid. About 100,000 particles; the last number of a name is
+// the support in tenths of the spacing. Counters: `particle`, the time per particle; `hand`, that of the loop by hand;
+// `ratio`, generic over hand, both the least of all turns; `operations`, floating point operations a particle that the
+// lanes of the loop by hand do. Run it:
 //
 //   build-benchmark/benchmarks/bench_sweep
 #include "support/block.hpp"
@@ -12,6 +12,7 @@
 #include "support/hand_solid.hpp"
 #include "support/measure.hpp"
 
+#include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 
 #include <string>
@@ -25,8 +26,7 @@ using bench::Water;
 using bench::WaterInOneSweep;
 using K = WendlandC2;
 
-struct TotalLagrangian : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff,
-                               TotalLagrangianForce<K>, HourglassControl<K>, TotalLagrangianViscosity<K>> {};
+struct TotalLagrangian : Solid<TotalLagrangianSolid<StVenantKirchhoff, K>, TotalLagrangianViscosity<K>> {};
 
 constexpr int particles = 100'000;
 

@@ -13,6 +13,7 @@
 #include "support/measured.hpp"
 
 #include <imbibe/kernels/kernels.hpp>
+#include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 
 #include <cstring>
@@ -26,8 +27,7 @@ using bench::count;
 using bench::Water;
 using K = WendlandC2;
 
-struct Rubber : Solid<ReferenceCorrection<K>, DeformationGradient<K>, StVenantKirchhoff, TotalLagrangianForce<K>,
-                      HourglassControl<K>, TotalLagrangianViscosity<K>> {};
+struct Rubber : Solid<TotalLagrangianSolid<StVenantKirchhoff, K>, TotalLagrangianViscosity<K>> {};
 
 constexpr int particles = 8000;
 constexpr double support = 2.6;

@@ -6,11 +6,10 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+// WeaklyCompressible is the name of four terms, and brings what acts between such a fluid and a wall: `describe` lists them.
+struct Water : sph::Fluid<sph::Tait<7>, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
 struct Tank : sph::Wall<> {};
-struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+struct Contact : sph::CouplingOf<Water, Tank> {};
 using Scene = sph::Solver<3, double, sph::SymplecticEuler, Water, Tank, Contact>;
 
 int main() {
@@ -20,7 +19,8 @@ int main() {
     Water water{{.density = 1000, .sound_speed = 45}};
     water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
     scene.add(water, sph::fill(sph::Box<3>({0, 0, 0}, {0.5, 0.3, 0.5}), dx), dx);
-    scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<3>({0, 0, 0}, {1.6, 0.3, 0.8}), dx, 3, sph::Sides::z_high), dx);
+    scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<3>({0, 0, 0}, {1.6, 0.3, 0.8}), dx, 3, sph::Sides::z_high),
+              dx);
     std::printf("%s", sph::describe(scene).c_str());
     scene.run_until(end, sph::Progress(end, true), sph::every(0.02, sph::Snapshots("out-dam-break")));
 }

@@ -21,16 +21,12 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
-struct Gate
-    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                 sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped, sph::TimeAveragedMotion> {};
+struct Water : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
+struct Gate : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::Clamped, sph::TimeAveragedMotion> {
+};
 struct Tank : sph::Wall<> {};
-struct Push : sph::Coupling<Water, Gate, sph::Into<Gate, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Water, sph::VolumeContinuity<K>>> {};
-struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+struct Push : sph::CouplingOf<Water, Gate> {};
+struct Contact : sph::CouplingOf<Water, Tank> {};
 using Scene = sph::Solver<2, float, sph::Subcycled<Gate>, Water, Gate, Tank, Push, Contact>;
 
 int main(int, char** argv) {

@@ -3,8 +3,8 @@
 // After Fourey et al. (2017), with a plate a hundred times softer and a quarter of the water: one
 // metre of it, 0.05 m thick, held at both ends. Two-dimensional elasticity says that its middle hangs down by 2.10 mm
 // (within 4 %); here it is 2.32 mm with 5 particles across the plate, which alone are 11 % too soft, and with 10
-// 2.18 mm (tests/validation/more/test_plate_couplings.cpp asks for the 4 % with 10). The motion is damped, so that the run
-// ends at rest.
+// 2.18 mm (tests/validation/more/test_plate_couplings.cpp asks for the 4 % with 10). The motion is damped, so that the
+// run ends at rest.
 //
 //   build/soft_plate                    then open out-soft-plate/water.pvd and plate.pvd in ParaView
 //   build/soft_plate 10                 with a plate of 10 instead of 5 particles across
@@ -21,8 +21,7 @@ using K = sph::WendlandC2;
 
 struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
                           sph::MonaghanViscosity<K>> {};
-struct Plate : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                          sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped> {};
+struct Plate : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::Clamped> {};
 struct Sides : sph::Wall<> {};
 struct Load : sph::Coupling<Water, Plate, sph::Into<Plate, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
                             sph::Into<Water, sph::VolumeContinuity<K>>> {};

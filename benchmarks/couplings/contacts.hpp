@@ -144,13 +144,11 @@ template <class InSolid>
 struct SolidFor;
 template <class... Extra>
 struct SolidFor<sph::TypeList<Extra...>> {
-    using type = sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                            sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::TotalLagrangianViscosity<K>,
+    using type = sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::TotalLagrangianViscosity<K>,
                             sph::Clamped, sph::TimeAveragedMotion, Extra...>;
 };
 
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+struct Water : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
 template <class Kit>
 struct Elastic : SolidFor<typename Kit::InSolid>::type {};
 struct Walls : sph::Wall<> {};

@@ -13,6 +13,7 @@
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/geometry/tank.hpp>
+#include <imbibe/methods/weakly_compressible.hpp>
 #include <imbibe/presets/sponge.hpp>
 #include <imbibe/wall/riemann_wall.hpp>
 
@@ -57,11 +58,9 @@ struct DamBreak {
     using Integrator = sph::SymplecticEuler;
     static constexpr double support = 2.6, gap = 0;
     using K = sph::WendlandC2;
-    struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                              sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+    struct Water : sph::Fluid<sph::Tait<7>, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
     struct Tank : sph::Wall<> {};
-    struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                                 sph::Into<Water, sph::VolumeContinuity<K>>> {};
+    struct Sides : sph::CouplingOf<Water, Tank> {};
     static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }
     static void set(Sides&, const Water&) {}
 };
@@ -71,8 +70,7 @@ struct FloorlessDamBreak : DamBreak {
     static constexpr const char* name = "README's dam break without floor";
     struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
                               sph::MonaghanViscosity<K>> {};
-    struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                                 sph::Into<Water, sph::VolumeContinuity<K>>> {};
+    struct Sides : sph::CouplingOf<Water, Tank> {};
     static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }
     static void set(Sides&, const Water&) {}
 };
@@ -87,8 +85,7 @@ struct UnbrakedDamBreak : DamBreak {
 /// That with a guard on its walls: a repulsion over less than a spacing, as stiff as rho c^2 in the splash.
 struct GuardedDamBreak : UnbrakedDamBreak {
     static constexpr const char* name = "README's dam break with a guard in place of beta";
-    struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                                 sph::Into<Water, sph::VolumeContinuity<K>>, sph::KernelRepulsion<>> {};
+    struct Sides : sph::CouplingOf<Water, Tank, sph::KernelRepulsion<>> {};
     using UnbrakedDamBreak::set;
     static void set(Sides& sides, const Water&) {
         sides.set(sph::KernelRepulsionParameters{.stiffness = 1e5, .range = 0.8});

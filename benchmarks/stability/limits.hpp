@@ -13,6 +13,7 @@
 #include <imbibe/fluid/particle_shifting.hpp>
 #include <imbibe/fluid/summation_relaxation.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/time/dual_stepping.hpp>
@@ -156,8 +157,7 @@ struct Gas : Liquid<> {};
 struct SoundMeetsGas : sph::Coupling<Sound, Gas, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>> {};
 using Raft = Kirchhoff::Body;
 struct RaftWithNormals
-    : sph::Solid<sph::ReferenceCorrection<C2>, sph::DeformationGradient<C2>, sph::StVenantKirchhoff,
-                 sph::TotalLagrangianForce<C2>, sph::HourglassControl<C2>, sph::ReferenceSurfaceNormal<C2>> {};
+    : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, C2>, sph::ReferenceSurfaceNormal<C2>> {};
 struct RaftOnPressure : sph::Coupling<Sound, Raft, sph::Into<Raft, sph::PressureExtrapolation<C2>>,
                                       sph::VolumePressure<C2>, sph::Into<Sound, sph::VolumeContinuity<C2>>> {};
 struct RaftOnNormals : sph::Coupling<Monaghan, RaftWithNormals, sph::SurfaceNormalPressure<C2>,

@@ -8,6 +8,7 @@
 #include "solid.hpp"
 
 #include <imbibe/fluid/density_floor.hpp>
+#include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/time/subcycled.hpp>
 
 namespace validation::hydroelastic {
@@ -15,8 +16,7 @@ namespace validation::hydroelastic {
 using K = sph::WendlandC2;
 struct Column : Water<K, sph::DensityFloor, sph::MonaghanViscosity<K>> {};
 struct Rubber
-    : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                 sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped, sph::TimeAveragedMotion> {};
+    : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::Clamped, sph::TimeAveragedMotion> {};
 struct Tank : sph::Wall<> {};
 template <class Solid, class... More>
 struct Push : sph::Coupling<Column, Solid, sph::Into<Solid, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,

@@ -23,6 +23,7 @@
 #include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/fluid/summation_relaxation.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/solid/bending_modulus.hpp>
 #include <imbibe/solid/total_lagrangian_viscosity.hpp>
 #include <imbibe/time/subcycled.hpp>
@@ -39,8 +40,7 @@ using K = sph::WendlandC2;
 struct Flow : Water<K, sph::MorrisViscosity<K>, sph::ParticleShifting<K>, sph::SummationRelaxation<K>> {};
 struct Walls : sph::Wall<> {};
 struct Cylinder : sph::Wall<> {};
-struct Flag : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                         sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::TotalLagrangianViscosity<K>,
+struct Flag : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::TotalLagrangianViscosity<K>,
                          sph::Clamped, sph::TimeAveragedMotion> {};
 template <class Body, class... More>
 struct Meets : sph::Coupling<Flow, Body, sph::Into<Body, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,

@@ -9,11 +9,9 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+struct Water : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
 struct Tank : sph::Wall<> {};
-struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
+struct Contact : sph::CouplingOf<Water, Tank> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Tank, Contact>;
 
 int main(int argc, char** argv) {

@@ -9,15 +9,11 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
-struct Gate : sph::Solid<sph::ReferenceCorrection<K>, sph::DeformationGradient<K>, sph::StVenantKirchhoff,
-                         sph::TotalLagrangianForce<K>, sph::HourglassControl<K>, sph::Clamped> {};
+struct Water : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
+struct Gate : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::Clamped> {};
 struct Tank : sph::Wall<> {};
-struct Contact : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Water, sph::VolumeContinuity<K>>> {};
-struct Push : sph::Coupling<Water, Gate, sph::Into<Gate, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Water, sph::VolumeContinuity<K>>> {};
+struct Contact : sph::CouplingOf<Water, Tank> {};
+struct Push : sph::CouplingOf<Water, Gate> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Gate, Tank, Contact, Push>;
 
 int main(int argc, char** argv) {

@@ -9,12 +9,9 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::ClearyViscosity<K>> {};
+struct Syrup : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::ClearyViscosity<K>> {};
 struct Tank : sph::Wall<> {};
-struct Contact : sph::Coupling<Syrup, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Syrup, sph::VolumeContinuity<K>>, sph::Into<Tank, sph::NoSlipVelocity<K>>,
-                               sph::NoSlipViscosity<K>> {};
+struct Contact : sph::CouplingOf<Syrup, Tank, sph::Into<Tank, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Syrup, Tank, Contact>;
 
 int main(int argc, char** argv) {

@@ -14,15 +14,11 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+struct Water : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
 struct Basin : sph::Wall<> {};
 struct Box : sph::Wall<> {};
-struct Sides : sph::Coupling<Water, Basin, sph::Into<Basin, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                             sph::Into<Water, sph::VolumeContinuity<K>>> {};
-struct Hull : sph::Coupling<Water, Box, sph::Into<Box, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Water, sph::VolumeContinuity<K>>,
-                            sph::Into<Box, sph::ReactionForce<sph::VolumePressure<K>>>> {};
+struct Sides : sph::CouplingOf<Water, Basin> {};
+struct Hull : sph::CouplingOf<Water, Box, sph::Into<Box, sph::ReactionForce<sph::VolumePressure<K>>>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Basin, Box, Sides, Hull>;
 using Vector = Eigen::Vector2d;
 

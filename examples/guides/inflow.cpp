@@ -9,12 +9,9 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::DensityFloor,
-                          sph::VolumePressure<K>, sph::MonaghanViscosity<K>> {};
+struct Water : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::MonaghanViscosity<K>> {};
 struct Plate : sph::Wall<> {};
-struct Contact : sph::Coupling<Water, Plate, sph::Into<Plate, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Water, sph::VolumeContinuity<K>>,
-                               sph::Into<Plate, sph::ReactionForce<sph::VolumePressure<K>>>> {};
+struct Contact : sph::CouplingOf<Water, Plate, sph::Into<Plate, sph::ReactionForce<sph::VolumePressure<K>>>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Plate, Contact>;
 
 int main() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/core/method.hpp>
 #include <imbibe/core/term.hpp>
 
 #include <algorithm>
@@ -55,8 +56,8 @@ struct ParametersOf<Term> {
     using type = TypeList<typename Term::Parameters>;
 };
 
-/// The name of the type T in the name of a function, as compilers spell it: what stands behind the last :: that is in no
-/// brackets, without template arguments.
+/// The name of the type T in the name of a function, as compilers spell it: what stands behind the last :: that is in
+/// no brackets, without template arguments.
 inline std::string name_in(std::string_view function) {
     std::size_t begin = function.find("T = ") + 4, end = begin, arguments = std::string_view::npos;
     for (int depth = 0; end < function.size(); ++end) {
@@ -163,19 +164,29 @@ private:
     }
 };
 
-/// A fluid: its material and, as template arguments, its terms.
+namespace detail {
+template <class List>
+struct CoefficientsIn;
+template <class... T>
+struct CoefficientsIn<TypeList<T...>> {
+    using type = Coefficients<typename Listed<T>::Term...>;
+};
+} // namespace detail
+
+/// A fluid: its material and, as template arguments, its terms and methods.
 template <class... Terms>
 struct Fluid {
-    using terms = TypeList<Terms...>;
+    using written = TypeList<Terms...>;                     ///< as it stands in the program
+    using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
     static constexpr bool moves = true;
 
-    double density = required;      ///< reference density rho_0, kg/m^3
-    double sound_speed = required;  ///< speed of sound c in the equation of state, m/s; ten times the greatest speed
-    double viscosity = 0;           ///< dynamic viscosity eta, Pa s
-    double support_radius = 0;      ///< H of this phase, m; 0: the scene's. Its sums over walls and solids, and theirs
-                                    ///< over it, reach as far; those between two fluids the greater H of the two
-    double spacing = 0;             ///< particle spacing, m; set when particles are added
-    Coefficients<Terms...> coefficients{};
+    double density = required;     ///< reference density rho_0, kg/m^3
+    double sound_speed = required; ///< speed of sound c in the equation of state, m/s; ten times the greatest speed
+    double viscosity = 0;          ///< dynamic viscosity eta, Pa s
+    double support_radius = 0;     ///< H of this phase, m; 0: the scene's. Its sums over walls and solids, and theirs
+                                   ///< over it, reach as far; those between two fluids the greater H of the two
+    double spacing = 0;            ///< particle spacing, m; set when particles are added
+    typename detail::CoefficientsIn<terms>::type coefficients{};
 
     /// Replaces the coefficients of one term.
     template <class P>
@@ -190,10 +201,11 @@ struct Fluid {
     }
 };
 
-/// An elastic solid: its material and its terms.
+/// An elastic solid: its material, and its terms and methods.
 template <class... Terms>
 struct Solid {
-    using terms = TypeList<Terms...>;
+    using written = TypeList<Terms...>;                     ///< as it stands in the program
+    using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
     static constexpr bool moves = true;
 
     double density = required;       ///< density of the stress-free solid, kg/m^3
@@ -201,7 +213,7 @@ struct Solid {
     double shear_modulus = required; ///< shear modulus G, Pa
     double support_radius = 0;       ///< H of this phase, m; 0: the scene's
     double spacing = 0;              ///< particle spacing, m; set when particles are added
-    Coefficients<Terms...> coefficients{};
+    typename detail::CoefficientsIn<terms>::type coefficients{};
 
     template <class P>
     constexpr void set(const P& parameters) {
@@ -242,15 +254,16 @@ struct Solid {
 /// writes both positions and velocities in every step, for the fluid's pressure follows from the velocities.
 template <class... Terms>
 struct Wall {
-    using terms = TypeList<Terms...>;
+    using written = TypeList<Terms...>;                     ///< as it stands in the program
+    using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
     static constexpr bool moves = false;
 
-    double density = required;  ///< density the wall shows to the fluid (the fluid's own), kg/m^3
-    double sound_speed = 1;     ///< speed of sound, for walls that have an equation of state, m/s
-    double viscosity = 0;       ///< dynamic viscosity shown to the fluid, Pa s
-    double support_radius = 0;  ///< H, m; 0: the scene's
-    double spacing = 0;         ///< particle spacing, m; set when particles are added
-    Coefficients<Terms...> coefficients{};
+    double density = required; ///< density the wall shows to the fluid (the fluid's own), kg/m^3
+    double sound_speed = 1;    ///< speed of sound, for walls that have an equation of state, m/s
+    double viscosity = 0;      ///< dynamic viscosity shown to the fluid, Pa s
+    double support_radius = 0; ///< H, m; 0: the scene's
+    double spacing = 0;        ///< particle spacing, m; set when particles are added
+    typename detail::CoefficientsIn<terms>::type coefficients{};
 
     template <class P>
     constexpr void set(const P& parameters) {
@@ -263,23 +276,7 @@ struct Wall {
     }
 };
 
-/// In a coupling: a term that acts on phase P only, with the other phase as neighbours. A term without this
-/// wrapper acts on both.
-template <class P, class Term>
-struct Into {};
-
 namespace detail {
-// What stands in the list of a phase or coupling: a term, and the phase on which it acts there, or (void) both sides.
-template <class T>
-struct Listed {
-    using Term = T;
-    using On = void;
-};
-template <class P, class T>
-struct Listed<Into<P, T>> {
-    using Term = T;
-    using On = P;
-};
 // Does it act on phase P?
 template <class P, class T>
 inline constexpr bool acts_on = std::is_void_v<typename Listed<T>::On> || std::is_same_v<typename Listed<T>::On, P>;
@@ -312,14 +309,31 @@ struct Coupling {
     using First = First_;
     /// The other one.
     using Second = Second_;
-    using terms = TypeList<Terms...>;
-    Coefficients<typename detail::Listed<Terms>::Term...> coefficients{};
+    using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
+    typename detail::CoefficientsIn<terms>::type coefficients{};
 
     template <class P>
     constexpr void set(const P& parameters) {
         coefficients.template get<P>() = parameters;
     }
 };
+
+namespace detail {
+template <class A, class B, class Terms, class... More>
+struct CouplingOfTerms;
+template <class A, class B, class... T, class... More>
+struct CouplingOfTerms<A, B, TypeList<T...>, More...> {
+    using type = Coupling<A, B, T..., More...>;
+};
+template <class A, class B, class... More>
+using CouplingByWritten =
+    typename CouplingOfTerms<A, B, typename CouplingByMethods<A, B, typename A::written>::type, More...>::type;
+} // namespace detail
+
+/// The terms between a fluid and a wall or solid, as the methods that the fluid lists have them, and `More`: further
+/// terms, or Instead<...> for terms that are to be others here. `struct Sides : CouplingOf<Water, Tank> {};`
+template <class Liquid, class Body, class... More>
+struct CouplingOf : detail::CouplingByWritten<Liquid, Body, More...> {};
 
 namespace detail {
 // Refuses what is no elastic constant, with the function `where` in the message.

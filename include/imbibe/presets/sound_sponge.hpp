@@ -1,6 +1,7 @@
 // The sponge by schemes that are known to converge: the water of sound_water.hpp and a total-Lagrangian solid.
 #pragma once
 
+#include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/presets/sound_water.hpp>
 #include <imbibe/presets/sponge_case.hpp>
 #include <imbibe/solid/clamped.hpp>
@@ -15,8 +16,7 @@ namespace imbibe::presets {
 /// as much. Its Young's modulus is made up for its few layers (bending_modulus).
 struct SoundSponge : SoundWater {
     static constexpr const char* name = "sound";
-    struct Sponge : Solid<ReferenceCorrection<K>, DeformationGradient<K>, CompressibleNeoHookean,
-                          TotalLagrangianForce<K>, HourglassControl<K>, TotalLagrangianViscosity<K>, Clamped> {};
+    struct Sponge : Solid<TotalLagrangianSolid<CompressibleNeoHookean, K>, TotalLagrangianViscosity<K>, Clamped> {};
     /// To be given its coefficients by set_coefficients(), as Water and Sides.
     struct Contact : Coupling<Water, Sponge, Into<Sponge, PressureExtrapolation<K>>, VolumePressure<K>,
                               Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};

@@ -5,12 +5,12 @@
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/fluid/continuity.hpp>
-#include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/density_floor.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/kernels/kernels.hpp>
+#include <imbibe/methods/weakly_compressible.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
@@ -27,8 +27,9 @@ struct SoundWater {
     /// The kernel of all terms but the guard.
     using K = WendlandC2;
     /// To be given its coefficients by set_coefficients(), as Sides.
-    struct Water : Fluid<LinearState, VolumeContinuity<K>, DensityDiffusion<K>, DensityFloor, VolumePressure<K>,
-                         MorrisViscosity<K>, MonaghanViscosity<K>, KernelRepulsion<Spiky>> {};
+    struct Water
+        : Fluid<LinearState, WeaklyCompressible<K>, MorrisViscosity<K>, MonaghanViscosity<K>, KernelRepulsion<Spiky>> {
+    };
     struct Vessel : Wall<> {};
     struct Sides : Coupling<Water, Vessel, Into<Vessel, PressureExtrapolation<K>>, VolumePressure<K, Tension::none>,
                             Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};
