@@ -19,14 +19,13 @@
 namespace sph = imbibe;
 using K = sph::WendlandC2;
 
-struct Water : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
+// Without the floor of the density: the water is at rest and nowhere torn.
+struct Water : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::Instead<sph::DensityFloor>,
                           sph::MonaghanViscosity<K>> {};
 struct Plate : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::Clamped> {};
 struct Sides : sph::Wall<> {};
-struct Load : sph::Coupling<Water, Plate, sph::Into<Plate, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Water, sph::VolumeContinuity<K>>> {};
-struct Tank : sph::Coupling<Water, Sides, sph::Into<Sides, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                            sph::Into<Water, sph::VolumeContinuity<K>>> {};
+struct Load : sph::CouplingOf<Water, Plate> {};
+struct Tank : sph::CouplingOf<Water, Sides> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Water, Plate, Sides, Load, Tank>;
 
 int main(int, char** argv) {

@@ -7,14 +7,12 @@ namespace sph = imbibe;
 using K = sph::WendlandC2;
 
 template <class Viscosity>
-struct Oil : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
-                        Viscosity> {};
+struct Oil : sph::Fluid<sph::LinearState, sph::WeaklyCompressible<K>, sph::Instead<sph::DensityFloor>, Viscosity> {};
 struct Plates : sph::Wall<> {};
 
-// The pressure at the wall, and after it what makes the oil stick, if anything does.
+// What such a fluid needs at a wall, and after it what makes the oil stick, if anything does.
 template <class Oil, class... Sticking>
-struct Contact : sph::Coupling<Oil, Plates, sph::Into<Plates, sph::PressureExtrapolation<K>>, sph::VolumePressure<K>,
-                               sph::Into<Oil, sph::VolumeContinuity<K>>, Sticking...> {};
+struct Contact : sph::CouplingOf<Oil, Plates, Sticking...> {};
 
 /// The greatest error of the velocity of plane Poiseuille flow once it is steady, as a share of the greatest velocity.
 template <class Oil, class... Sticking>

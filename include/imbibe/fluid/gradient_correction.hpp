@@ -2,7 +2,7 @@
 #pragma once
 
 #include <imbibe/fluid/density_diffusion.hpp>
-#include <imbibe/solid/reference_correction.hpp>
+#include <imbibe/kernels/moment_matrix.hpp>
 
 namespace imbibe {
 

@@ -3,22 +3,11 @@
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
+#include <imbibe/kernels/moment_matrix.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/solid/first_piola.hpp>
 
 namespace imbibe {
-
-/// M_a = sum_b V_b (X_b - X_a) (x) grad_a W_ab, without unit: the identity deep inside, about half of it at a face.
-struct MomentMatrix : Field<Rank::symmetric_tensor> {
-    static constexpr std::string_view name = "moment_matrix", unit = "1";
-};
-inline constexpr MomentMatrix moment_matrix{};
-
-/// L_a, the matrix that corrects the kernel gradients of particle a: L_a grad_a W_ab.
-struct GradientCorrection : Field<Rank::symmetric_tensor> {
-    static constexpr std::string_view name = "gradient_correction", unit = "1";
-};
-inline constexpr GradientCorrection gradient_correction{};
 
 /// S_a = sum_b V_b |L_a grad_a W_ab|, 1/m: how much a gradient at particle a can be, for displacements of 1 m.
 struct GradientSum : Field<Rank::scalar> {
@@ -27,22 +16,6 @@ struct GradientSum : Field<Rank::scalar> {
 inline constexpr GradientSum gradient_sum{};
 
 namespace detail {
-
-// M^-1 where 1/|M^-1| is at least `full_above`, the identity where it is below `none_below`, a straight ramp between.
-template <class T, int dim>
-IMBIBE_INLINE constexpr SymmetricTensor<T, dim> inverse_or_identity(const SymmetricTensor<T, dim>& moments,
-                                                                    double full_above, double none_below) {
-    const auto M = full(moments);
-    const auto cofactors = adjugate(M);
-    T squares = T(0);
-    for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-            squares += sq(cofactors(i, j));
-    const T size = max(sqrt(squares), T(1e-30)), det = determinant(M);
-    const T trust = min(positive_part((det / size - none_below) / max(full_above - none_below, 1e-30)), T(1));
-    const auto inverted = symmetric_part(cofactors / max(det, T(max(none_below, 1e-6)) * size));
-    return trust * inverted + (1 - trust) * symmetric_identity<T, dim>();
-}
 
 // The moment sum_b V_b x^2 |grad W|/r in one direction, inside a lattice of `support` spacings a support radius: near 1
 // with 2 spacings and more, 0.66 with 1.5.

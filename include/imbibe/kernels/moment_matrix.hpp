@@ -1,0 +1,41 @@
+// The moments of a kernel's gradients over the neighbours there are, and the matrix that corrects the gradients by them.
+#pragma once
+
+#include <imbibe/core/field.hpp>
+#include <imbibe/core/vector.hpp>
+
+namespace imbibe {
+
+/// M_a = sum_b V_b (X_b - X_a) (x) grad_a W_ab, without unit: the identity deep inside, about half of it at a face.
+struct MomentMatrix : Field<Rank::symmetric_tensor> {
+    static constexpr std::string_view name = "moment_matrix", unit = "1";
+};
+inline constexpr MomentMatrix moment_matrix{};
+
+/// L_a, the matrix that corrects the kernel gradients of particle a: L_a grad_a W_ab.
+struct GradientCorrection : Field<Rank::symmetric_tensor> {
+    static constexpr std::string_view name = "gradient_correction", unit = "1";
+};
+inline constexpr GradientCorrection gradient_correction{};
+
+namespace detail {
+
+// M^-1 where 1/|M^-1| is at least `full_above`, the identity where it is below `none_below`, a straight ramp between.
+template <class T, int dim>
+IMBIBE_INLINE constexpr SymmetricTensor<T, dim> inverse_or_identity(const SymmetricTensor<T, dim>& moments,
+                                                                    double full_above, double none_below) {
+    const auto M = full(moments);
+    const auto cofactors = adjugate(M);
+    T squares = T(0);
+    for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+            squares += sq(cofactors(i, j));
+    const T size = max(sqrt(squares), T(1e-30)), det = determinant(M);
+    const T trust = min(positive_part((det / size - none_below) / max(full_above - none_below, 1e-30)), T(1));
+    const auto inverted = symmetric_part(cofactors / max(det, T(max(none_below, 1e-6)) * size));
+    return trust * inverted + (1 - trust) * symmetric_identity<T, dim>();
+}
+
+} // namespace detail
+
+} // namespace imbibe
