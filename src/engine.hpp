@@ -6,6 +6,7 @@
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/population.hpp>
 #include <imbibe/solver/scene_engine.hpp>
+#include <imbibe/solver/scene_run.hpp>
 #include <imbibe/solver/scene_watch.hpp>
 #include <imbibe/solver/time_step_limits.hpp>
 #include <imbibe/solver/warnings.hpp>
@@ -36,5 +37,6 @@
     template void SceneWatch::look_after_step(const Neighbourhood<dim, Real>&, const Origin<dim>&, double, double,     \
                                               Warnings&);                                                              \
     }                                                                                                                  \
+    template class imbibe::SceneRun<dim, Real>;                                                                        \
     template void imbibe::Snapshots::write(const imbibe::detail::SceneStore<dim, Real>&, double,                       \
                                            const imbibe::detail::Origin<dim>&);

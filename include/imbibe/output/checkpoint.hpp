@@ -5,6 +5,7 @@
 #pragma once
 
 #include <imbibe/output/file.hpp>
+#include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/material_numbers.hpp>
 #include <imbibe/solver/solver.hpp>
 
@@ -88,14 +89,6 @@ struct CheckpointReader {
     }
 };
 
-/// A list of terms as the compiler prints it.
-template <class List>
-std::string list_name() {
-    const std::string_view all = __PRETTY_FUNCTION__;
-    const auto begin = all.find("List = ") + 7;
-    return std::string(all.substr(begin, all.find_first_of(";]", begin) - begin));
-}
-
 /// What must be the same in the scene that wrote a checkpoint and in the one that reads it, as lines of text.
 template <class Scene>
 std::string checkpoint_head(const Scene& scene) {
@@ -113,13 +106,13 @@ std::string checkpoint_head(const Scene& scene) {
             ((out << ' ' << F::name << '(' << components(F::rank, Scene::dimension) << ')'), ...);
         };
         name(typename Scene::template FieldsOf<P>{});
-        out << "\nterms of " << name_of_phase << ": " << list_name<typename P::terms>() << '\n';
+        out << "\nterms of " << name_of_phase << ": " << names_of(typename P::terms{}) << '\n';
     });
     const auto name_couplings = [&]<class... C>(TypeList<C...>) {
-        ((out << "terms of " << type_name<C>() << ": " << list_name<typename C::terms>() << '\n'), ...);
+        ((out << "terms of " << type_name<C>() << ": " << names_of(typename C::terms{}) << '\n'), ...);
     };
     name_couplings(typename Scene::Couplings{});
-    out << "integrator " << list_name<TypeList<typename Scene::Integrator>>() << '\n';
+    out << "integrator " << names_of(TypeList<typename Scene::Integrator>{}) << '\n';
     for (std::size_t d = 0; d < Scene::dimension; ++d)
         out << "direction " << d << ": origin " << scene.settings().origin[d] << " m, periodic from "
             << scene.settings().periodic_lower[d] << " m over " << scene.settings().periodic_length[d] << " m\n";

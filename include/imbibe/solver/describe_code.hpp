@@ -15,6 +15,12 @@ IMBIBE_CODE std::string full_type_name(std::string_view function) {
          {"(anonymous namespace)::", "{anonymous}::", "imbibe::presets::", "imbibe::", ", {{}}", "{}", "()"})
         for (auto at = all.find(noise); at != std::string::npos; at = all.find(noise))
             all.erase(at, std::string_view(noise).size());
+    // g++ prints default arguments of terms that a program lists by a method, and leaves them out where it lists the
+    // terms themselves.
+    for (const std::string_view by_default : {", Velocity", ", Tension::pulls"})
+        for (auto at = all.find(by_default); at != std::string::npos; at = all.find(by_default, at + 1))
+            if (const auto behind = at + by_default.size(); behind < all.size() && all[behind] == '>')
+                all.erase(at, by_default.size());
     return all;
 }
 IMBIBE_CODE std::string type_names(std::initializer_list<std::string_view> signatures) {

@@ -1,10 +1,13 @@
 // What is an error before a scene runs: coefficients and materials that a term cannot work with, particles of another
-// material in one phase, two couplings that disagree about a part they share.
+// material in one phase, two couplings that disagree about a part they share; and names that are not of the scene.
 #pragma once
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
 #include <imbibe/solver/material_numbers.hpp>
+#include <imbibe/solver/passes.hpp>
+#include <imbibe/solver/population.hpp>
+#include <imbibe/solver/rules.hpp>
 
 #include <string>
 #include <type_traits>
@@ -70,6 +73,54 @@ void check_shared_parts(const C& one, const D& other, TypeList<TermC...>) {
             check(term);
     };
     (each(std::type_identity<TermC>{}), ...);
+}
+
+template <class Engine, class... P>
+void check_phases(const Engine& engine, TypeList<P...>) {
+    [[maybe_unused]] const auto check = [&]<class Q>(std::type_identity<Q>, const auto& s) {
+        if (s.size() > 0) {
+            s.material.check(type_name<Q>());
+            require_support(engine, s.material.support_radius, type_name<Q>());
+            check_terms<Q>(s.material, typename Q::terms{});
+        }
+    };
+    (check(std::type_identity<P>{}, engine.template state<P>()), ...);
+}
+template <class C, class Engine, class... D>
+void check_shared_with(const Engine& engine, TypeList<D...>) {
+    (check_shared_parts(engine.template coupling<C>(), engine.template coupling<D>(), typename C::terms{}), ...);
+}
+template <class Engine, class... C>
+void check_couplings(const Engine& engine, [[maybe_unused]] TypeList<C...> all) {
+    (check_terms<C>(engine.template coupling<C>(), typename C::terms{}), ...);
+    (check_shared_with<C>(engine, all), ...);
+}
+/// Throws Error for a material or a coefficient of a scene that is out of range, or that a term cannot work with.
+template <class Engine>
+void check_numbers_of(const Engine& engine) {
+    check_phases(engine, typename Engine::Phases{});
+    check_couplings(engine, typename Engine::Couplings{});
+}
+
+/// True, or a compile error: What, a phase or a coupling, is in the list All of a scene.
+template <class What, class All, class Advice>
+constexpr bool in_the_scene() {
+    if constexpr (!contains<What, All>)
+        return break_rule<rules::NotInTheScene<What, Advice>>();
+    else
+        return true;
+}
+/// The same for the phases and terms of a scene that an integrator names.
+template <class Scene, class Integrator>
+constexpr bool check_integrator() {
+    if constexpr (requires { typename Integrator::Fast; })
+        return in_the_scene<typename Integrator::Fast, typename Scene::Phases, list_the_phase_in_the_solver>();
+    else if constexpr (requires { requires Integrator::Slow::size == 0; })
+        return break_rule<rules::NothingIsSlow<Integrator, name_terms_such_as_MorrisViscosity>>();
+    else if constexpr (requires { typename Integrator::Slow; })
+        return RowsOfTerms<Scene, typename Integrator::Slow>::check();
+    else
+        return true;
 }
 
 } // namespace imbibe::detail
