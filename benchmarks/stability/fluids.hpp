@@ -68,7 +68,7 @@ struct DamBreak {
 /// The same as it was before it had a floor: under tension its particles clump, and drops that have come off burst.
 struct FloorlessDamBreak : DamBreak {
     static constexpr const char* name = "README's dam break without floor";
-    struct Water : sph::Fluid<sph::Tait<7>, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>,
+    struct Water : sph::Fluid<sph::Tait<7>, sph::WeaklyCompressible<K>, sph::Instead<sph::DensityFloor>,
                               sph::MonaghanViscosity<K>> {};
     struct Sides : sph::CouplingOf<Water, Tank> {};
     static void set(Water& water) { water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1}); }

@@ -18,8 +18,8 @@ double working(const Engine& engine, int particles) {
     if constexpr (Phase::moves)
         return particles;
     std::vector<char> works(static_cast<std::size_t>(particles));
-    engine.for_each_link([&]<class Link>(const Link& link) {
-        if constexpr (std::is_same_v<typename Link::A, Phase>)
+    engine.for_each_link([&]<class Between>(Between, const auto& link) {
+        if constexpr (std::is_same_v<typename Between::A, Phase>)
             for (int i = 0; i < particles; ++i)
                 if (const auto runs = link.runs[i]; runs.begin() != runs.end())
                     works[static_cast<std::size_t>(i)] = 1;
@@ -29,8 +29,8 @@ double working(const Engine& engine, int particles) {
 
 /// Takes steps of the scene that `make(size, threads)` returns, both from the benchmark's arguments.
 /// Counters: `particle`, the time per step and particle that the step has work for, and `moving`, per particle that is
-/// not a wall's; `searched`, in what share of the steps neighbours are looked for; `bytes`, what a particle stores, and `list_bytes`, its runs; `neighbours`, those of the first phase
-/// among its own.
+/// not a wall's; `searched`, in what share of the steps neighbours are looked for; `bytes`, what a particle stores, and
+/// `list_bytes`, its runs; `neighbours`, those of the first phase among its own.
 template <class Scene, class Make>
 void steps(benchmark::State& state, Make make) {
     const auto size = state.range(0), threads = state.range(1);
