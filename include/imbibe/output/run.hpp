@@ -115,6 +115,10 @@ private:
     bool writing_ = false, in_program_ = false;
 };
 
+/// A run is of the type of its scene.
+template <class Scene>
+Run(Scene&, RunSettings) -> Run<Scene>;
+
 // Brings the scene, the table and the snapshots to where the run begins or goes on, and says what it is about to do.
 template <class Scene>
 std::optional<Table> Run<Scene>::begin(Snapshots& snapshots) {

@@ -53,7 +53,7 @@ public:
     /// What a checkpoint is to carry.
     [[nodiscard]] CheckpointNotes notes() const;
     enum class At { scene, files, stopped }; ///< what has ended a run: the scene, its files, or the user
-    /// How a run that has ended early is gone on with. @param cfl, time_step as in Settings
+    /// How a run that has ended early is gone on with; `cfl` and `time_step` as in Settings.
     [[nodiscard]] std::string remedy(At what, double cfl, double time_step) const;
     /// From now on the run has not reached its end; or it has.
     void set_finished(bool finished) const;

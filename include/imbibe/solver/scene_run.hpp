@@ -116,7 +116,7 @@ protected:
     SceneRun(SceneRun&&) = default;
     SceneRun& operator=(const SceneRun&) = default;
     SceneRun& operator=(SceneRun&&) = default;
-    ~SceneRun() = default;
+    virtual ~SceneRun() = default;
 
     // What depends on the types of the scene.
     virtual BaseEngine& base_engine() = 0;
