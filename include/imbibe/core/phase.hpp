@@ -186,7 +186,7 @@ struct Fluid {
     double support_radius = 0;     ///< H of this phase, m; 0: the scene's. Its sums over walls and solids, and theirs
                                    ///< over it, reach as far; those between two fluids the greater H of the two
     double spacing = 0;            ///< particle spacing, m; set when particles are added
-    typename detail::CoefficientsIn<terms>::type coefficients{};
+    typename detail::CoefficientsIn<terms>::type coefficients{}; ///< of the terms
 
     /// Replaces the coefficients of one term.
     template <class P>
@@ -213,7 +213,7 @@ struct Solid {
     double shear_modulus = required; ///< shear modulus G, Pa
     double support_radius = 0;       ///< H of this phase, m; 0: the scene's
     double spacing = 0;              ///< particle spacing, m; set when particles are added
-    typename detail::CoefficientsIn<terms>::type coefficients{};
+    typename detail::CoefficientsIn<terms>::type coefficients{}; ///< of the terms
 
     template <class P>
     constexpr void set(const P& parameters) {
@@ -263,7 +263,7 @@ struct Wall {
     double viscosity = 0;      ///< dynamic viscosity shown to the fluid, Pa s
     double support_radius = 0; ///< H, m; 0: the scene's
     double spacing = 0;        ///< particle spacing, m; set when particles are added
-    typename detail::CoefficientsIn<terms>::type coefficients{};
+    typename detail::CoefficientsIn<terms>::type coefficients{}; ///< of the terms
 
     template <class P>
     constexpr void set(const P& parameters) {
@@ -310,7 +310,7 @@ struct Coupling {
     /// The other one.
     using Second = Second_;
     using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
-    typename detail::CoefficientsIn<terms>::type coefficients{};
+    typename detail::CoefficientsIn<terms>::type coefficients{}; ///< of the terms
 
     template <class P>
     constexpr void set(const P& parameters) {

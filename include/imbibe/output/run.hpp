@@ -38,6 +38,7 @@ public:
 
     /// Nothing is written yet.
     /// @param scene as it is before its first step, with everything added; it has to live as long as the run
+    /// @param settings where it writes, what, and how it begins
     /// @throws Error for numbers out of range; for a folder that cannot be written, or holds another run that has not
     ///     reached its end; where there is no checkpoint to go on from
     Run(Scene& scene, RunSettings settings)

@@ -40,7 +40,9 @@ public:
     [[nodiscard]] static bool is_terminal();
 
     using Kept = std::variant<double*, int*, long long*>; ///< where a number is that checkpoints carry
+    /// See Run::keep.
     void keep(std::string name, Kept where) { kept_.emplace_back(std::move(name), where); }
+    /// See Run::depends_on.
     void depends_on(RunNumber number) { depends_on_.push_back(std::move(number)); }
 
     /// Throws Error where a run may not begin, or go on, in the folder as it is, or it cannot be written.
@@ -52,7 +54,12 @@ public:
     std::string restore(const CheckpointNotes& notes, double time);
     /// What a checkpoint is to carry.
     [[nodiscard]] CheckpointNotes notes() const;
-    enum class At { scene, files, stopped }; ///< what has ended a run: the scene, its files, or the user
+    /// What has ended a run.
+    enum class At {
+        scene,  ///< the scene has gone wrong
+        files,  ///< its files cannot be written
+        stopped ///< the user wanted it to end
+    };
     /// How a run that has ended early is gone on with; `cfl` and `time_step` as in Settings.
     [[nodiscard]] std::string remedy(At what, double cfl, double time_step) const;
     /// From now on the run has not reached its end; or it has.

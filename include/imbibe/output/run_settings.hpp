@@ -10,10 +10,14 @@ namespace imbibe {
 /// How messages of a run call what the user can do: by default as the members of RunSettings and Settings are called; a
 /// program with a command line names its options.
 struct RunWords {
-    std::string restart = "restart", overwrite = "overwrite", folder = "folder", end = "end", cfl = "cfl",
-                time_step = "time_step";
-    std::string goes_on = {};          ///< empty: "<restart> goes on"; " from here" or the like follows
-    std::string in_shorter_steps = {}; ///< empty: "<restart> goes on from the last ..."; "with <cfl> 0.2" follows
+    std::string restart = "restart";     ///< RunSettings::restart
+    std::string overwrite = "overwrite"; ///< RunSettings::overwrite
+    std::string folder = "folder";       ///< RunSettings::folder
+    std::string end = "end";             ///< RunSettings::end
+    std::string cfl = "cfl";             ///< Settings::cfl
+    std::string time_step = "time_step"; ///< Settings::time_step
+    std::string goes_on = {};            ///< empty: "<restart> goes on"; " from here" or the like follows
+    std::string in_shorter_steps = {};   ///< empty: "<restart> goes on from the last ..."; "with <cfl> 0.2" follows
 };
 
 /// Where a Run writes, what, and how it begins.
@@ -37,8 +41,8 @@ struct RunSettings {
 
 /// A number that a run depends on, so that a restart with another one is noticed.
 struct RunNumber {
-    std::string name; ///< as the user gives it: an option, say
-    double value = 0;
+    std::string name;        ///< as the user gives it: an option, say
+    double value = 0;        ///< in `unit`
     std::string unit = {};   ///< empty for a pure number
     bool may_change = false; ///< in a run: it says how something is computed, not what
     /// For values that are more than a number: the words in their place; empty: the value and its unit.

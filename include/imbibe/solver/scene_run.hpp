@@ -110,7 +110,7 @@ public:
 protected:
     using BaseEngine = detail::SceneEngine<dim, Real>;
 
-    /// @param subcycles are steps made of shorter ones?
+    /// @param with its numbers @param subcycles are steps made of shorter ones?
     SceneRun(const Settings<dim>& with, bool subcycles);
     SceneRun(const SceneRun&) = default;
     SceneRun(SceneRun&&) = default;
@@ -128,7 +128,7 @@ protected:
     virtual void evaluate_once() = 0;
     /// Before the first step, and after particles were added.
     virtual void start_steps() = 0;
-    /// One step. @param substeps how many shorter ones it is made of
+    /// One step. @param seconds its length @param substeps how many shorter ones it is made of
     virtual void advance(double seconds, int substeps) = 0;
 
     void set_up(BaseEngine& engine) const;
