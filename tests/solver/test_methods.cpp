@@ -67,9 +67,10 @@ TEST_CASE("A scene of methods has the coefficients of their terms, and describe 
     scene.add(water, {{0, 0}, {0.04, 0}}, 0.04);
     scene.add(Tank{{.density = 1000}}, {{0, -0.04}, {0.04, -0.04}}, 0.04);
     const std::string said = sph::describe(scene);
-    CHECK_THAT(said, contains("effects: Tait<7>, VolumeContinuity<WendlandC2>, DensityDiffusion<WendlandC2>, "
-                              "DensityFloor, VolumePressure<WendlandC2>, MonaghanViscosity<WendlandC2>\n"));
-    CHECK_THAT(said, contains("Sides (Water, Tank): Into<methods_test::Tank, PressureExtrapolation<WendlandC2> >, "));
+    for (const char* words : {"effects: Tait<7>, VolumeContinuity<WendlandC2>, DensityDiffusion<", // clang++: <>
+                              ">, DensityFloor, VolumePressure<WendlandC2>, MonaghanViscosity<WendlandC2>\n",
+                              "Sides (Water, Tank): Into<methods_test::Tank, PressureExtrapolation<"})
+        CHECK_THAT(said, contains(words));
 }
 
 } // namespace methods_test
