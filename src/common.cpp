@@ -1,4 +1,4 @@
-// For the library imbibe::core: what is the same for scenes of all dimensions and numbers: checks, files and decompositions.
+// For the library imbibe::core: what is the same for scenes of all dimensions and numbers: checks, files, eigenvalues.
 #define IMBIBE_CORE_SOURCE
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/run_folder.hpp>

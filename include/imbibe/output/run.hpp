@@ -1,7 +1,6 @@
 // A run: a scene taken to its end, with all that a long computation keeps on disk, and gone on with where it stopped.
 #pragma once
 
-#include <imbibe/core/compiled_core.hpp>
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/recover.hpp>
@@ -10,7 +9,9 @@
 #include <imbibe/output/table.hpp>
 #include <imbibe/solver/describe.hpp>
 
+#include <cstdio>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
