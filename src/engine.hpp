@@ -21,6 +21,7 @@
     template class PairDistances<dim, Real, native_width<Real>>;                                                       \
     template double box_of(const SceneStore<dim, Real>&, int);                                                         \
     template void require_support(const Neighbourhood<dim, Real>&, double, const std::string&);                        \
+    template void require_supports_of_terms(const Neighbourhood<dim, Real>&);                                          \
     template std::vector<Point<dim>> places_of_new(const Neighbourhood<dim, Real>&, int,                               \
                                                    const std::vector<Point<dim>>&, double, double,                     \
                                                    const Origin<dim>&);                                                \

@@ -110,6 +110,33 @@ TEST_CASE("physical units: the derivative helper is the slope of the value helpe
     });
 }
 
+TEST_CASE("the second derivative is the slope of the derivative, and a pair gives it in physical units") {
+    for_each_case([](auto which) {
+        using C = decltype(which);
+        using K = KernelOf<C>;
+        static_assert(HasSecondDerivative<K>);
+        for (double q : sample_points()) {
+            INFO(K::name << " at q = " << q);
+            const double step = step_at(q);
+            const double round_off = 2e-16 * std::abs(K::derivative(q)) / step;
+            CHECK(K::second_derivative(q) == Approx(slope([](double x) { return K::derivative(x); }, q, step))
+                                                 .epsilon(1e-9)
+                                                 .margin(1e-9 * std::abs(K::derivative(q)) + 8 * round_off));
+        }
+        CHECK(K::second_derivative(1.0) == 0.0);
+        CHECK(K::second_derivative(1.5) == 0.0);
+        C::for_each_dimension([]<int dim>() {
+            if constexpr (dim > 1) {
+                const double H = 0.02, r = 0.3 * H;
+                const Pair<dim, double> pair(Vector<double, dim>{r}, r, SupportRadius(H), {});
+                CHECK(pair.second_derivative(K{}) ==
+                      Approx(slope([&](double x) { return kernel_derivative<K, dim>(x, H); }, r, 1e-3 * H))
+                          .epsilon(1e-8));
+            }
+        });
+    });
+}
+
 TEST_CASE("derivative_over_q times q is the derivative, and it is finite at the centre") {
     int kernels = 0;
     for_each_case([&](auto which) {

@@ -49,6 +49,8 @@ void packs_like_numbers() {
         CHECK(difference<Real, width>([](auto q) { return K::derivative(q); }, slope_scale) <= few);
         if constexpr (HasDerivativeOverQ<K>)
             CHECK(difference<Real, width>([](auto q) { return K::derivative_over_q(q); }, slope_scale) <= few);
+        const Real curvature_scale = std::abs(K::second_derivative(Real(0.3)));
+        CHECK(difference<Real, width>([](auto q) { return K::second_derivative(q); }, curvature_scale) <= few);
         if constexpr (HasLaplacian<K>)
             CHECK(difference<Real, width>([](auto q) { return K::laplacian(q); }, Real(6)) <= few);
         C::for_each_dimension([&]<int dim>() {

@@ -76,6 +76,24 @@ using ShoreScene = sph::Solver<3, double, sph::SymplecticEuler, Drop, Shore, Lan
 struct Stone : sph::Fluid<> {};
 using StoneScene = sph::Solver<2, float, sph::SymplecticEuler, Stone>;
 
+// Terms that know when the step begins: of particles alone, and of pairs.
+struct Began : sph::Field<sph::Rank::scalar> {
+    static constexpr std::string_view name = "began", unit = "s";
+};
+inline constexpr Began began{};
+struct Clock {
+    using sets = sph::Fields<began>;
+    constexpr auto operator()(const auto& a) const { return a.time + 0 * a.gravity()[0]; }
+};
+struct PairClock {
+    using reads = sph::Fields<sph::mass>;
+    using adds = sph::Fields<temperature_rate>;
+    constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+        return a.time * b[sph::mass] * ab.value(K{});
+    }
+};
+struct Timed : sph::Fluid<Clock, PairClock> {};
+
 template <class Scene, class P>
 constexpr bool stores(auto field) {
     return sph::detail::contains<std::remove_cvref_t<decltype(field)>, typename Scene::template FieldsOf<P>>;
@@ -102,6 +120,19 @@ TEST_CASE("What is off is not stored", "[scene]") {
     stones.step(1e-3);
     CHECK(stones.engine().list_bytes() == 0);
     CHECK(stones.engine().particle_bytes() < 1200 * (7 * sizeof(float) + sizeof(std::uint32_t)));
+}
+
+TEST_CASE("A term knows the time at which its step begins", "[scene]") {
+    sph::Solver<2, double, sph::SymplecticEuler, Timed> scene({.support_radius = 1});
+    const auto timed = scene.add(Timed{{.density = 4, .sound_speed = 1}}, {{0, 0}}, 0.5);
+    scene.step(0.25);
+    CHECK(scene[timed][began](0) == 0);
+    scene.step(0.5);
+    CHECK(scene[timed][began](0) == 0.25);
+    scene.step(0.125);
+    CHECK(scene[timed][began](0) == 0.75);
+    CHECK(scene[timed][temperature](0) == // its own neighbour, of mass 1
+          Approx((0.25 * 0.5 + 0.75 * 0.125) * sph::kernel_value<K, 2>(0.0, 1)).epsilon(1e-14));
 }
 
 TEST_CASE("Free flight is exact", "[scene]") {

@@ -42,7 +42,7 @@ public:
     using Material = Material_;
     static constexpr int dimension = dim;
     Material material{};
-    double time_step = 0; // s
+    double time_step = 0, time = 0; // s
 
     explicit Particle(const Material& m = {}) : material(m) {}
 

@@ -98,7 +98,7 @@ struct RecordingParticle {
     static constexpr int dimension = dim;
     bool* seen;
     const Material& material = ordinary_material<Material>;
-    double time_step = 0.01;
+    double time_step = 0.01, time = 0.1;
 
     template <class F>
     constexpr auto operator[](F) const {

@@ -56,6 +56,15 @@ struct ParametersOf<Term> {
     using type = TypeList<typename Term::Parameters>;
 };
 
+template <class Term>
+struct PreparedOf {
+    using type = TypeList<>;
+};
+template <Prepares Term>
+struct PreparedOf<Term> {
+    using type = TypeList<typename Term::Prepared>;
+};
+
 /// The name of the type T in the name of a function, as compilers spell it: what stands behind the last :: that is in
 /// no brackets, without template arguments.
 inline std::string name_in(std::string_view function) {
@@ -121,13 +130,16 @@ struct ParametersNotDeclared {
 };
 } // namespace rules
 
-/// The numerical coefficients of a list of terms: one value of each term's `Parameters`.
+/// The numerical coefficients of a list of terms: one value of each term's `Parameters`, and of what terms prepare.
 template <class... Terms>
 struct Coefficients {
     /// The types of the coefficients, each once.
     using List = detail::Unique<detail::Concat<typename detail::ParametersOf<Terms>::type...>>;
     /// Their values.
     typename detail::TupleOf<List>::type all{};
+    /// What terms computed of them: one value of each term's `Prepared`.
+    typename detail::TupleOf<detail::Unique<detail::Concat<typename detail::PreparedOf<Terms>::type...>>>::type
+        prepared{};
 
     /// The parameters of type P, to read or to change: `phase.coefficients.get<ArtificialStressParameters>()`.
     template <class P>

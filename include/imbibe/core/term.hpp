@@ -7,8 +7,8 @@
 //     support radius and beyond, as all does that is multiplied by a kernel: neighbours are looked for somewhat
 //     further, and packs are filled up with whoever is at hand.
 // It is constexpr, and calls sqrt, exp, pow, min and max by these names alone: its numbers may be packs of several.
-// Besides its fields a particle has `material`, `gravity()` and `time_step`, s: by how much states are advanced with
-// the rates that are being computed; 0 for what is computed once, and where an integrator does not advance them by
+// Besides its fields a particle has `material`, `gravity()`, `time`, s, when the step begins, and `time_step`, s: by how
+// much states are advanced with the rates that are being computed; 0 for what is computed once, and where an integrator does not advance them by
 // these rates alone (MidpointRungeKutta, PredictorCorrector).
 //
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
@@ -28,6 +28,13 @@
 //     (in couplings, as Into the wall or the solid), `between_fluids` (in phases, and in couplings of two fluids),
 //     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli
 //     of `Solid`), `needs_viscosity` (it asks for the viscosity of its phase, or of one of the two of a coupling);
+//   - `static double support_radius(const auto& material)`, in couplings with both materials, and behind these the
+//     Parameters if it needs them: how far its pair functions reach, m, if not as far as the phases do. Their neighbours
+//     are listed apart, so the other terms do not pay for them;
+//   - `struct Prepared` and `template <int dim> static Prepared prepare(const auto& material, const Lattice<dim>&)`, in
+//     couplings with both materials, and behind these the Parameters if it needs them: numbers that follow from
+//     spacing, support radius and dimension (lattice.hpp). They are computed before the first step and when a program
+//     may have changed coefficients, and fill the member `Prepared prepared;` of its parts;
 //   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
 //     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that
@@ -63,6 +70,7 @@ struct stress_rate;         ///< the rate of the deviatoric stress
 struct give_it_value_of_q;
 struct give_it_derivative_of_q;
 struct give_it_laplacian_of_q_or_take_one_such_as_ViscosityKernel;
+struct give_it_second_derivative_of_q;
 
 namespace rules {
 /// Rule: where a term takes a kernel it is given one.
@@ -83,6 +91,10 @@ struct CubicSlopeOfAnotherForm {
                                        "equal to -cubic_slope (1 - q)^3");
 };
 } // namespace rules
+
+/// See lattice.hpp.
+template <int dim>
+struct Lattice;
 
 /// The parts of a term.
 template <class... P>
@@ -203,6 +215,16 @@ struct Pair {
         else
             return lacks_a_function<Kernel, give_it_laplacian_of_q_or_take_one_such_as_ViscosityKernel>();
     }
+    /// The second derivative of W_ab along the line of centres, d2W/dr2, 1/m^(dim+2).
+    template <class Kernel>
+    IMBIBE_INLINE constexpr T second_derivative(Kernel) const {
+        if constexpr (!is_kernel<Kernel>)
+            return not_a_kernel<Kernel>();
+        else if constexpr (requires(T x) { Kernel::second_derivative(x); })
+            return scale<dim + 2>(factor<Kernel>) * Kernel::second_derivative(q());
+        else
+            return lacks_a_function<Kernel, give_it_second_derivative_of_q>();
+    }
     /// W_ab / W(length): how much closer than `length` the pair is, in terms of the kernel. `length` < H.
     template <class Kernel>
     IMBIBE_INLINE constexpr T relative_value(Kernel, double length) const {
@@ -298,6 +320,58 @@ template <class Term>
 concept HasParts = requires { typename Term::parts; };
 template <class Term>
 concept HasStores = requires { typename Term::stores; };
+/// What a term says of its own with the materials M of a phase or of both phases of a coupling, and its parameters if it
+/// needs them: how far it reaches, and the numbers that it prepares.
+template <class Term, class... M>
+concept SaysSupport = requires(const M&... material) {
+    { Term::support_radius(material...) } -> std::convertible_to<double>;
+};
+template <class Term, class... M>
+concept SaysSupportByParameters = requires(const M&... material, const typename Term::Parameters& parameters) {
+    { Term::support_radius(material..., parameters) } -> std::convertible_to<double>;
+};
+template <class Term, int dim, class... M>
+concept PreparesByLattice = requires(const M&... material, const Lattice<dim>& lattice) {
+    { Term::prepare(material..., lattice) } -> std::same_as<typename Term::Prepared>;
+};
+template <class Term, int dim, class... M>
+concept PreparesByParameters =
+    requires(const M&... material, const Lattice<dim>& lattice, const typename Term::Parameters& parameters) {
+        { Term::prepare(material..., lattice, parameters) } -> std::same_as<typename Term::Prepared>;
+    };
+/// Has it numbers to prepare?
+template <class Term>
+concept Prepares = requires { typename Term::Prepared; };
+
+/// A term with the coefficients of Owner, a phase; or a coupling, of two.
+template <class Term, class Owner>
+struct TermOf {
+    static constexpr bool says_support = SaysSupport<Term, Owner> || SaysSupportByParameters<Term, Owner>;
+    template <int dim>
+    static constexpr bool prepares = PreparesByLattice<Term, dim, Owner> || PreparesByParameters<Term, dim, Owner>;
+};
+template <class Term, class Owner>
+    requires requires { typename Owner::First; typename Owner::Second; }
+struct TermOf<Term, Owner> {
+    using A = typename Owner::First;
+    using B = typename Owner::Second;
+    static constexpr bool says_support = SaysSupport<Term, A, B> || SaysSupportByParameters<Term, A, B>;
+    template <int dim>
+    static constexpr bool prepares = PreparesByLattice<Term, dim, A, B> || PreparesByParameters<Term, dim, A, B>;
+};
+/// How far it reaches, m. @param material the phase, or both phases of a coupling
+template <class Term, class Owner, class... M>
+double support_of_term(const Owner& owner, const M&... material) {
+    if constexpr (SaysSupport<Term, M...>)
+        return Term::support_radius(material...);
+    else
+        return Term::support_radius(material..., owner.coefficients.template get<typename Term::Parameters>());
+}
+/// Has it a function of that name that cannot be called so?
+template <class Term, class Owner>
+inline constexpr bool support_of_another_form = !TermOf<Term, Owner>::says_support && requires {
+    &Term::support_radius;
+};
 
 /// Has it what a term may have: parts, fields that it stores, or the fields of a part?
 template <class T>

@@ -38,6 +38,11 @@ struct CubicSpline {
         const T inner = positive_part(T(0.5) - q);
         return (T(-3) * scale) * min(q, outer) * (outer + T(2) * inner);
     }
+    /// w''(q) = 6 (1 - q) - 24 (1/2 - q)
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        return T(6) * positive_part(T(1) - q) - T(24) * positive_part(T(0.5) - q);
+    }
 };
 
 } // namespace imbibe

@@ -30,7 +30,7 @@ namespace imbibe {
 /// (positive_part), never through a branch, so a sweep needs no test of the distance.
 /// `normalisation` refuses, with a readable line, a dimension in which the kernel has another shape.
 ///
-/// Three members are optional: see HasDerivativeOverQ, HasCubicSlope and HasLaplacian.
+/// Four members are optional: see HasDerivativeOverQ, HasCubicSlope, HasSecondDerivative and HasLaplacian.
 ///
 /// Where a function has numbers of its own, it may take a second argument, `T scale = T(1)`, that multiplies it: a
 /// sweep gives the constant of the support there, and its products with those numbers are no work in the pair loop.
@@ -57,6 +57,13 @@ concept HasDerivativeOverQ = Kernel<K> && requires(double q) {
 template <class K>
 concept HasCubicSlope = HasDerivativeOverQ<K> && requires {
     { K::cubic_slope } -> std::convertible_to<double>;
+};
+
+/// A kernel that offers its second derivative w''(q): d2W/dr2 = normalisation / H^(dim+2) * second_derivative(r/H).
+/// All kernels of the library do.
+template <class K>
+concept HasSecondDerivative = Kernel<K> && requires(double q) {
+    { K::second_derivative(q) } -> std::same_as<double>;
 };
 
 /// A kernel made for its Laplacian, offered as `laplacian(q)`:

@@ -38,6 +38,11 @@ struct Poly6 {
     IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
         return (T(-6) * scale) * power<2>(positive_part(T(1) - q) * (T(1) + q));
     }
+    /// w''(q) = -6 (1 - q^2) (1 - 5 q^2)
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        return T(-6) * (positive_part(T(1) - q) * (T(1) + q)) * (T(1) - T(5) * q * q);
+    }
 };
 
 } // namespace imbibe

@@ -42,6 +42,13 @@ struct QuinticSpline {
         return (T(-1.5) * scale) * (inner * (T(24) - inner * inner * (T(24) - T(10) * inner))) *
                (power<4>(outer) - T(6) * power<4>(positive_part(outer - T(1))));
     }
+    /// w''(q) = 180 ((3 - x)^3 - 6 (2 - x)^3 + 15 (1 - x)^3)
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        const T outer = T(3) * positive_part(T(1) - q);
+        return T(180) * (power<3>(outer) - T(6) * power<3>(positive_part(outer - T(1))) +
+                         T(15) * power<3>(positive_part(outer - T(2))));
+    }
 };
 
 } // namespace imbibe

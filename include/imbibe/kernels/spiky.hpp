@@ -34,6 +34,11 @@ struct Spiky {
     IMBIBE_INLINE static constexpr T derivative(T q, T scale = T(1)) {
         return (T(-3) * scale) * power<2>(positive_part(T(1) - q));
     }
+    /// w''(q) = 6 (1 - q)
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        return T(6) * positive_part(T(1) - q);
+    }
 };
 
 } // namespace imbibe

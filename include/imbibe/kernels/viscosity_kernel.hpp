@@ -76,6 +76,12 @@ struct ViscosityKernel {
         const T s = max(q, T(detail::viscosity_kernel_floor));
         return -power<2>(positive_part(T(1) - s)) * (T(1) + s * (T(2) + T(3) * s)) / (T(2) * s * s);
     }
+    /// w''(q) = (1 - q) (1 + q + q^2 + 3 q^3) / q^3
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        const T s = max(q, T(detail::viscosity_kernel_floor));
+        return positive_part(T(1) - s) * (T(1) + s * (T(1) + s * (T(1) + T(3) * s))) / power<3>(s);
+    }
     /// w'' + 2 w'/q = 6 (1 - q), regular at q = 0.
     template <class T>
     IMBIBE_INLINE static constexpr T laplacian(T q, T scale = T(1)) {
@@ -118,6 +124,12 @@ struct ViscosityKernel2D {
     IMBIBE_INLINE static constexpr T derivative(T q) {
         const T s = max(q, T(detail::viscosity_kernel_floor));
         return -power<2>(positive_part(T(1) - s)) * (T(1) + T(2) * s) / s;
+    }
+    /// w''(q) = (1 - q) (1 + q + 4 q^2) / q^2
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        const T s = max(q, T(detail::viscosity_kernel_floor));
+        return positive_part(T(1) - s) * (T(1) + s * (T(1) + T(4) * s)) / power<2>(s);
     }
     /// w'' + w'/q = 6 (1 - q), regular at q = 0.
     template <class T>

@@ -54,6 +54,11 @@ struct WendlandC2 {
     IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
         return (T(-cubic_slope) * scale) * power<3>(positive_part(T(1) - q));
     }
+    /// w''(q) = -20 (1 - q)^2 (1 - 4 q)
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        return T(-cubic_slope) * power<2>(positive_part(T(1) - q)) * (T(1) - T(4) * q);
+    }
     /// See HasCubicSlope.
     static constexpr double cubic_slope = 20;
 };
@@ -87,6 +92,11 @@ struct WendlandC4 {
     IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
         return power<5>(positive_part(T(1) - q)) * (T(-56.0 / 3) * scale + (T(-5 * 56.0 / 3) * scale) * q);
     }
+    /// w''(q) = -56/3 (1 - q)^4 (1 + 4 q - 35 q^2)
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        return T(-56.0 / 3) * power<4>(positive_part(T(1) - q)) * (T(1) + q * (T(4) - T(35) * q));
+    }
 };
 
 /// w(q) = (1 - q)^8 (1 + 8 q + 25 q^2 + 32 q^3). Support radius H.
@@ -119,6 +129,11 @@ struct WendlandC6 {
     IMBIBE_INLINE static constexpr T derivative_over_q(T q, T scale = T(1)) {
         return power<7>(positive_part(T(1) - q)) *
                (T(-22) * scale + q * (T(-7 * 22) * scale + (T(-16 * 22) * scale) * q));
+    }
+    /// w''(q) = -22 (1 - q)^6 (1 + 6 q - 15 q^2 - 160 q^3)
+    template <class T>
+    IMBIBE_INLINE static constexpr T second_derivative(T q) {
+        return T(-22) * power<6>(positive_part(T(1) - q)) * (T(1) + q * (T(6) - q * (T(15) + T(160) * q)));
     }
 };
 

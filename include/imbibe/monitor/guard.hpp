@@ -227,7 +227,8 @@ private:
         scene.engine().for_each_link([&]<class Between>(Between, const detail::Link&) {
             using A = typename Between::A;
             using B = typename Between::B;
-            if constexpr (detail::is_fluid<A> && !detail::is_fluid<B> && !Between::reference)
+            if constexpr (detail::is_fluid<A> && !detail::is_fluid<B> && !Between::reference &&
+                          std::is_void_v<typename Between::Reach>)
                 look_at_pores_of(scene, PhaseHandle<B>{}, scene[PhaseHandle<A>{}].material().spacing,
                                  name_of<A>(scene));
         });

@@ -257,8 +257,8 @@ struct Composition {
             using N = detail::At<row, Rows>;
             using M = detail::At<other, Rows>;
             using F = decltype(field_at_column<column_at_fault>(Phases{}));
-            return detail::break_rule<rules::SetTwice<F, WriterOf<N>, WriterOf<M>, typename N::A,
-                                                      remove_one_of_the_two_terms>>();
+            return detail::break_rule<
+                rules::SetTwice<F, WriterOf<N>, WriterOf<M>, typename N::A, remove_one_of_the_two_terms>>();
         } else if constexpr (fault == Fault::cycle) {
             using N = detail::At<row, Rows>;
             using M = detail::At<other, Rows>;
@@ -313,8 +313,8 @@ struct Composition {
     template <class N, class F>
     static constexpr bool check_sum() {
         if constexpr (F::given || integrated<typename N::A, F>())
-            return detail::break_rule<rules::AddsToAState<F, typename N::Term, typename N::A,
-                                                          let_the_part_add_to_its_rate_or_set_it>>();
+            return detail::break_rule<
+                rules::AddsToAState<F, typename N::Term, typename N::A, let_the_part_add_to_its_rate_or_set_it>>();
         else
             return true;
     }
@@ -331,6 +331,12 @@ struct Composition {
         if constexpr (N::reference && !std::is_same_v<typename N::A, typename N::B>)
             return detail::break_rule<rules::ReferenceNeighboursInCoupling<
                 typename N::Term, typename N::Owner, give_the_term_to_the_phase_or_use_current_neighbours>>();
+        else if constexpr (N::reference && !std::is_void_v<typename N::Reach>)
+            return detail::break_rule<rules::OwnSupportOfReferenceNeighbours<
+                typename N::Term, typename N::Owner, remove_its_support_radius_or_use_current_neighbours>>();
+        else if constexpr (detail::support_of_another_form<typename N::Term, typename N::Owner>)
+            return detail::break_rule<rules::SupportRadiusNotUsable<
+                typename N::Term, typename N::Owner, write_static_double_support_radius_of_a_material_or_of_two>>();
         else
             return true;
     }

@@ -18,7 +18,9 @@ struct PassesOf {
     using type = TypeList<typename Composition::WholeStep>;
 };
 template <class Integrator, class Composition>
-requires requires { typename Integrator::template Passes<Composition>; }
+requires requires {
+    typename Integrator::template Passes<Composition>;
+}
 struct PassesOf<Integrator, Composition> {
     using type = typename Integrator::template Passes<Composition>;
 };
@@ -26,43 +28,38 @@ struct PassesOf<Integrator, Composition> {
 /// What the sweeps of a pass load in a composition in `dim` dimensions.
 template <int dim, class Pass>
 class PassLoads {
-    template <class P, class B, bool reference, class N>
+    template <class L, class N>
     static constexpr bool meets =
-        std::is_same_v<typename N::A, P>&& std::is_same_v<typename N::B, B>&& N::reference == reference;
-    template <class P, class B, bool reference, class... N>
-    static constexpr int loads_from() {
-        using Place = std::conditional_t<reference, ReferencePosition, Position>;
-        using Read = Unique<Concat<
-            TypeList<Place>, std::conditional_t<meets<P, B, reference, N>, ReadsOnB<dim, N>, TypeList<>>...>>;
-        return (meets<P, B, reference, N> || ...) ? component_count<dim, Read> : 0;
-    }
-    // Of one sweep: from the neighbours of now and from those of the stress-free solid.
-    template <class P, class B, class... N>
+        std::is_same_v<LinkType<typename N::A, typename N::B, N::reference, typename N::Reach>, L>;
+    // Of one sweep.
+    template <class L, class... N>
     static constexpr int loads_of() {
-        return loads_from<P, B, false, N...>() + loads_from<P, B, true, N...>();
+        using Place = std::conditional_t<L::reference, ReferencePosition, Position>;
+        using Read = Unique<Concat<TypeList<Place>, std::conditional_t<meets<L, N>, ReadsOnB<dim, N>, TypeList<>>...>>;
+        return (meets<L, N> || ...) ? component_count<dim, Read> : 0;
     }
-    template <class P, class B, std::size_t k, std::size_t... r>
+    template <class L, std::size_t k, std::size_t... r>
     static constexpr int loads_of_rows(std::index_sequence<r...>) {
-        return loads_of<P, B, At<Pass::plan.steps[k].rows[r], typename Pass::Rows>...>();
+        return loads_of<L, At<Pass::plan.steps[k].rows[r], typename Pass::Rows>...>();
     }
-    template <class P, class B, std::size_t k>
+    template <class L, std::size_t k>
     static constexpr int loads_of_step() {
         constexpr Step step = Pass::plan.steps[k];
         if constexpr (step.sweep)
-            return loads_of_rows<P, B, k>(std::make_index_sequence<static_cast<std::size_t>(step.size)>{});
+            return loads_of_rows<L, k>(std::make_index_sequence<static_cast<std::size_t>(step.size)>{});
         else
             return 0;
     }
-    template <class P, class B, std::size_t... k>
+    template <class L, std::size_t... k>
     static constexpr int loads_of_steps(std::index_sequence<k...>) {
-        return (loads_of_step<P, B, k>() + ... + 0);
+        return (loads_of_step<L, k>() + ... + 0);
     }
 
 public:
-    /// How many numbers are loaded for phase P and one neighbour of phase B.
-    template <class P, class B>
+    /// How many numbers are loaded for a particle and one of its neighbours in the link.
+    template <class L>
     static constexpr int
-        loads = loads_of_steps<P, B>(std::make_index_sequence<static_cast<std::size_t>(Pass::plan.size)>{});
+        loads = loads_of_steps<L>(std::make_index_sequence<static_cast<std::size_t>(Pass::plan.size)>{});
 };
 
 /// What is asked for the costs of: a composition, evaluated as a whole, or a scene with an integrator.
@@ -87,7 +84,8 @@ struct Costed<Solver<dim_, Real, Integrator, Items...>> {
 
 /// The costs of a scene in one step with a search.
 /// @tparam Scene_ a `Solver`: with the evaluations that its integrator makes in a step (of a fast phase of `Subcycled`,
-/// in one of its own steps; of what `DualStepping` evaluates in short steps, in one of them); or a composition, `Solver::Scene`: with one of all of its terms, as SymplecticEuler makes
+/// in one of its own steps; of what `DualStepping` evaluates in short steps, in one of them); or a composition,
+/// `Solver::Scene`: with one of all of its terms, as SymplecticEuler makes
 template <class Scene_>
 class Costs {
     using Scene = typename detail::Costed<Scene_>::Scene;
@@ -118,12 +116,22 @@ public:
         return Pass::plan.sweeps(Scene::template phase_index<P>);
     });
 
-    /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its place, once a sweep, and
-    /// the fields that terms read of it, once a sweep however many terms do.
-    template <class P, class B>
-    static constexpr int loads = sum([]<class Pass>(std::type_identity<Pass>) {
-        return detail::PassLoads<dim, Pass>::template loads<P, B>;
+    /// @cond
+    template <class L>
+    static constexpr int loads_of_link = sum([]<class Pass>(std::type_identity<Pass>) {
+        return detail::PassLoads<dim, Pass>::template loads<L>;
     });
+    template <class P, class B, class... L>
+    static constexpr int loads_between(TypeList<L...>) {
+        return ((std::is_same_v<typename L::A, P> && std::is_same_v<typename L::B, B> ? loads_of_link<L> : 0) + ... +
+                0);
+    }
+    /// @endcond
+    /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its place, once a sweep, and
+    /// the fields that terms read of it, once a sweep however many terms do; both twice where it is a neighbour now
+    /// and in the stress-free solid, or of a term that reaches further than others as well.
+    template <class P, class B>
+    static constexpr int loads = loads_between<P, B>(typename detail::LinksOf<dim, typename Scene::Nodes>::type{});
 };
 
 } // namespace imbibe

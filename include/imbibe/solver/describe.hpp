@@ -83,7 +83,7 @@ std::string describe(Scene& scene) {
         (types.couplings.push_back(detail::names_of(typename C::terms{})), ...);
     }(typename Scene::Couplings{});
     engine.for_each_link([&]<class L>(L, const detail::Link&) {
-        types.loads.push_back(Costs::template loads<typename L::A, typename L::B>);
+        types.loads.push_back(Costs::template loads_of_link<L>);
     });
     detail::LimitsInWords limits{scene.time_step_limits(), {}, scene.next_step()};
     if constexpr (Scene::subcycles)

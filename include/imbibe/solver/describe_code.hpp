@@ -77,10 +77,12 @@ std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings
                 static_cast<double>(scene.list_bytes()) * 1e-6, " MB for neighbours\n");
     for (std::size_t k = 0; k < scene.links.size(); ++k) {
         const LinkRow& row = scene.links[k].row;
-        const double mean = scene.mean_neighbours(scene.links[k]);
+        const double mean = scene.mean_neighbours(scene.links[k]), support = scene.links[k].support;
         if (mean > 0)
             out += text("Neighbours: ", scene.phase(row.a).name, " has ", mean, " of ", scene.phase(row.b).name,
-                        row.reference ? " (reference)" : "", " on average; ", types.loads[k],
+                        row.reference ? " (reference)" : "",
+                        row.term == nullptr ? "" : text(" (", row.term(), ", ", support * 1e3, " mm)"),
+                        " on average; ", types.loads[k],
                         " numbers of each are loaded in a step\n");
     }
     out += "Time step:" + limits_in_words(limits.step);

@@ -47,9 +47,9 @@ public:
     const C& coupling() const {
         return *std::any_cast<C>(&this->couplings[coupling_index<C>]);
     }
-    template <class A, class B, bool reference>
+    template <class A, class B, bool reference, class Reach = void>
     const Link& link() const {
-        return this->link_at(index_of<LinkType<A, B, reference>, Links>);
+        return this->link_at(index_of<LinkType<A, B, reference, Reach>, Links>);
     }
     template <class P>
     const Motion& motion() const {

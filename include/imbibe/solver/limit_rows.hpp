@@ -56,7 +56,9 @@ constexpr bool check_limit() {
 /// What a term says of the longest step, s; below 0 where it has no limit. It may need no coefficients for it.
 /// @tparam Owner the phase or coupling that has its coefficients, @tparam Materials the phase, or both phases
 template <class Term, class Owner, class... Materials>
-double limit_of_term(const Owner& owner, const TimeStepInput& in, const Materials&... materials) {
+double limit_of_term(const Owner& owner, TimeStepInput in, const Materials&... materials) {
+    if constexpr (TermOf<Term, Owner>::says_support)
+        in.support_radius = support_of_term<Term>(owner, materials...);
     if constexpr (requires { Term::time_step_limit(materials..., in); })
         return Term::time_step_limit(materials..., in);
     else if constexpr (requires { typename Term::Parameters; })

@@ -196,16 +196,26 @@ private:
             using Given = typename Term::Parameters;
             if constexpr (!(fills_a_part<Given, PartList<Term>> || ... ||
                             fills_a_part<Given, PartList<typename Listed<T>::Term>>))
-                if constexpr (!limit_of_item_takes<Item, Term, Given>() && !asks_for_others<Item>(PartList<Term>{}))
+                if constexpr (!limit_of_item_takes<Item, Term, Given>() && !Prepares<Term> &&
+                              !TermOf<Term, Item>::says_support && !asks_for_others<Item>(PartList<Term>{}))
                     return break_rule<rules::ParametersNotTaken<
                         Given, Term, give_the_part_that_uses_them_a_member_of_this_type_named_parameters>>();
         }
         return true;
     }
+    template <class Item, class Term>
+    static constexpr bool check_prepared() {
+        if constexpr (Prepares<Term>)
+            if constexpr (!TermOf<Term, Item>::template prepares<2> && !TermOf<Term, Item>::template prepares<3>)
+                return break_rule<rules::PreparedByNoFunction<
+                    typename Term::Prepared, Term, write_static_Prepared_prepare_of_a_material_or_two_and_a_Lattice>>();
+        return true;
+    }
     template <class Item, class... T>
     static constexpr bool check_terms(TypeList<T...> list) {
         return (check_term<Item, T>() && ...) && (check_parameters<Item, typename Listed<T>::Term>(list) && ...) &&
-               check_twos<Item>(list) && check_kernels<Item, void>(list);
+               (check_prepared<Item, typename Listed<T>::Term>() && ...) && check_twos<Item>(list) &&
+               check_kernels<Item, void>(list);
     }
     // Has a coupling with these terms the term that acts on phase P?
     template <class P, class Term, class... T>

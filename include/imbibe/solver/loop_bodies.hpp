@@ -10,11 +10,12 @@
 
 namespace imbibe::detail {
 
-/// The neighbours of phase A's particles among those of phase B.
-template <class A_, class B_, bool reference_>
+/// The neighbours of phase A's particles among those of phase B; see Node.
+template <class A_, class B_, bool reference_, class Reach_ = void>
 struct LinkType {
     using A = A_;
     using B = B_;
+    using Reach = Reach_;
     static constexpr bool reference = reference_;
 };
 
@@ -24,7 +25,8 @@ struct LinksOf;
 template <int dim, class... N>
 struct LinksOf<dim, TypeList<N...>> {
     using type = Unique<Concat<std::conditional_t<
-        is_pair_node<dim, N>, TypeList<LinkType<typename N::A, typename N::B, N::reference>>, TypeList<>>...>>;
+        is_pair_node<dim, N>, TypeList<LinkType<typename N::A, typename N::B, N::reference, typename N::Reach>>,
+        TypeList<>>...>>;
 };
 
 /// The material of phase P in a running scene.
@@ -98,7 +100,7 @@ private:
             for (int i = begin; i < end; i += T::size) { // the last pack goes on into the room behind the particles
                 OwnValues<Reads, dim, T> own;
                 own.template load_consecutive<Fields>(std::as_const(s).data() + i, s.stride());
-                const OwnView<P, Reads, dim, T> a{own, material, engine.gravity, engine.step_length};
+                const OwnView<P, Reads, dim, T> a{own, material, engine.gravity, engine.step_length, engine.time};
                 if constexpr (is_particle_part<typename N::Part, dim, P>) // or else an error of its own
                     write_results<N, T>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
             }
@@ -125,7 +127,7 @@ private:
         using B = typename S::B;
         using Links = typename LinksOf<dim, typename Scene::Nodes>::type;
         const Phase& b = engine.phase(Scene::template phase_index<B>);
-        const Link& link = engine.link_at(index_of<LinkType<P, B, S::reference>, Links>);
+        const Link& link = engine.link_at(index_of<LinkType<P, B, S::reference, typename S::Reach>, Links>);
         SourceData<dim, typename Scene::template FieldsOf<B>, Real, width> source{};
         for (std::size_t k = 0; k < source.columns.size(); ++k)
             if constexpr (Scene::template keeps_reference<B> && !S::reference)
@@ -164,7 +166,7 @@ private:
         const std::array<SupportRadius, sizeof...(S)> supports{SupportRadius(std::get<k>(sources).support)...};
         const AllParts parts = all_parts;
         const Vector<double, dim> gravity_now = engine.gravity;
-        const double step_length = engine.step_length;
+        const double step_length = engine.step_length, time = engine.time;
         std::array<search::RunList::Walk, sizeof...(S)> walks{
             search::RunList::Walk(*std::get<k>(sources).runs, begin)...};
         for (int i = begin; i < end; ++i) {
@@ -173,7 +175,7 @@ private:
                 t = T(0);
             OwnValues<OwnFields, dim, T> own;
             own.template load<Fields>(std::as_const(s).data() + i, s.stride());
-            const OwnView<P, OwnFields, dim, T> a{own, material, gravity_now, step_length};
+            const OwnView<P, OwnFields, dim, T> a{own, material, gravity_now, step_length, time};
             (gather<S, typename Scene::template FieldsOf<typename S::B>, P, Fields>(
                  Filter<NodesFrom<S>::template Keep, Nodes>{},
                  std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, decltype(parts)>>>{}, sums, s, a,

@@ -106,9 +106,31 @@ class IMBIBE_PER_BUILD Lowering {
                             .second_counts_no_first = counts_no_other<C, typename C::Second>,
                             .coupling = &any_of<C>}...};
     }
+    template <class Owner, class Term>
+    static double support_of(const std::any& owner, const std::any& first, const std::any& second) {
+        const Owner& of = *std::any_cast<Owner>(&owner);
+        if constexpr (IsCoupling<Owner>)
+            return support_of_term<Term>(of, *std::any_cast<typename Owner::First>(&first),
+                                         *std::any_cast<typename Owner::Second>(&second));
+        else
+            return support_of_term<Term>(of, of);
+    }
+    template <class L>
+    static constexpr LinkRow link_row() {
+        LinkRow row{.a = index<typename L::A>, .b = index<typename L::B>, .reference = L::reference};
+        if constexpr (!std::is_void_v<typename L::Reach>) {
+            using Owner = typename L::Reach::Owner;
+            using Term = typename L::Reach::Term;
+            if constexpr (IsCoupling<Owner>)
+                row.coupling = index_of<Owner, Couplings>;
+            row.term = &type_name<Term>;
+            row.support_of_term = &support_of<Owner, Term>;
+        }
+        return row;
+    }
     template <class... L>
     static constexpr std::array<LinkRow, sizeof...(L)> link_rows(TypeList<L...>) {
-        return {LinkRow{index<typename L::A>, index<typename L::B>, L::reference}...};
+        return {link_row<L>()...};
     }
 
 public:
@@ -122,7 +144,7 @@ private:
 
     template <class P, class... S>
     static constexpr std::array<int, sizeof...(S)> links_of(TypeList<S...>) {
-        return {index_of<LinkType<P, typename S::B, S::reference>, Links>...};
+        return {index_of<LinkType<P, typename S::B, S::reference, typename S::Reach>, Links>...};
     }
     template <class What, int k>
     class LoopOf {

@@ -33,7 +33,7 @@ class IMBIBE_PER_BUILD Neighbourhood : public SceneStore<dim, Real> {
 public:
     using Phase = typename Base::Phase;
     using Pairs = PairDistances<dim, Real, Base::width>;
-    using Base::Base, Base::phase, Base::phases, Base::links, Base::support;
+    using Base::Base, Base::phase, Base::phases, Base::links, Base::support, Base::support_of;
 
     /// Once, when the particles are there: puts total-Lagrangian phases into the order of their reference positions
     /// and finds the neighbours they keep.
@@ -61,7 +61,7 @@ public:
     /// How far neighbours are looked for, m.
     double reach_of(double support_radius) const { return (1 + search_skin) * support_radius; }
 
-    /// Are the boxes around two phases further apart than that, along a side that is not periodic? So
+    /// Are the boxes around two phases further apart than any term between them reaches, along a side that is not periodic? So
     /// is a phase without particles from every other.
     bool are_apart(int a, int b) const;
 

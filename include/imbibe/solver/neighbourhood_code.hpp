@@ -96,6 +96,10 @@ void Neighbourhood<dim, Real>::search_neighbours() {
         if (takes_part(static_cast<int>(k)))
             greatest_support = std::max(greatest_support, s.numbers().support_radius);
     }
+    for (const Link& link : links)
+        if (link.row.support_of_term != nullptr && !link.row.reference && phase(link.row.a).size() > 0 &&
+            phase(link.row.b).size() > 0)
+            greatest_support = std::max(greatest_support, support_of(link.row));
     if (greatest_support == 0)
         return;
     grid.fit(all, reach_of(greatest_support), this->periodic, particles);
@@ -113,9 +117,9 @@ void Neighbourhood<dim, Real>::search_neighbours() {
         if (link.row.reference)
             continue;
         const Phase &a = phase(link.row.a), &b = phase(link.row.b);
-        link.support = support(link.row.a, link.row.b);
+        link.support = support_of(link.row);
         farthest_allowed = std::min(farthest_allowed, (search_skin > 0 ? search_skin / 2 : 0.05) * link.support);
-        if (are_apart(link.row.a, link.row.b))
+        if (a.bounds.far_from(b.bounds, reach_of(link.support), this->periodic))
             link.runs.clear_all(a.size());
         else
             search::find_runs<Base::width>(link.runs, a.points(), b.seen_points(), grid, b.table,
@@ -126,7 +130,7 @@ void Neighbourhood<dim, Real>::search_neighbours() {
 
 template <int dim, class Real>
 bool Neighbourhood<dim, Real>::are_apart(int a, int b) const {
-    return phase(a).bounds.far_from(phase(b).bounds, reach_of(support(a, b)), this->periodic);
+    return phase(a).bounds.far_from(phase(b).bounds, reach_of(this->longest_support(a, b)), this->periodic);
 }
 
 template <int dim, class Real>

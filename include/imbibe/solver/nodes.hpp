@@ -23,6 +23,13 @@ concept IsPhase = !IsCoupling<T> && requires {
 template <class T>
 concept CouplesPhases = IsCoupling<T> && IsPhase<typename T::First> && IsPhase<typename T::Second>;
 
+/// How far a term reaches that says so itself, with the coefficients of Owner, a phase or a coupling.
+template <class Term_, class Owner_>
+struct OwnSupport {
+    using Term = Term_;
+    using Owner = Owner_;
+};
+
 /// Part P on phase A, with neighbours of phase B (A itself inside a phase), its coefficients kept by Owner.
 template <class P, class A_, class B_, class Owner_, class Term_>
 struct Node {
@@ -35,6 +42,8 @@ struct Node {
     using Adds = typename AddsOf<P>::type;
     using Sets = typename SetsOf<P>::type;
     static constexpr bool reference = uses_reference<P>;
+    /// What says how far it reaches; void: the phases do.
+    using Reach = std::conditional_t<TermOf<Term, Owner>::says_support, OwnSupport<Term, Owner>, void>;
     static constexpr bool once = is_once<P>;
     static constexpr bool in_packs = is_in_packs<P>;
 };
@@ -155,7 +164,8 @@ consteval bool already_there(TypeList<K...>) {
     if constexpr (is_pair_node<dim, N>)
         return ((std::is_same_v<typename N::Part, typename K::Part> && std::is_same_v<typename N::A, typename K::A> &&
                  std::is_same_v<typename N::B, typename K::B> &&
-                 std::is_same_v<typename N::Owner, typename K::Owner>) ||
+                 std::is_same_v<typename N::Owner, typename K::Owner> &&
+                 std::is_same_v<typename N::Reach, typename K::Reach>) ||
                 ...);
     else
         return ((std::is_same_v<typename N::Part, typename K::Part> && std::is_same_v<typename N::A, typename K::A>) ||

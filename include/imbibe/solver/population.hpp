@@ -15,6 +15,10 @@ namespace imbibe::detail {
 template <int dim, class Real>
 void require_support(const Neighbourhood<dim, Real>& scene, double support, const std::string& name);
 
+/// The same of the terms that say themselves how far they reach, if their phases have particles.
+template <int dim, class Real>
+void require_supports_of_terms(const Neighbourhood<dim, Real>& scene);
+
 /// The places of new particles as they are stored: without the origin, inside the period, and that also once rounded.
 /// @param origin of the points, m
 /// @throws Error for a point that is not finite, too many points, a spacing that float does not bear, a point nearer

@@ -11,14 +11,36 @@
 
 namespace imbibe::detail {
 
+// Throws Error if a particle would see a neighbour twice through a periodic side.
 template <int dim, class Real>
-void require_support(const Neighbourhood<dim, Real>& scene, double support, const std::string& name) {
-    require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
-            " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
+void require_within_periods(const Neighbourhood<dim, Real>& scene, double support, const std::string& name) {
     for (const double length : scene.periodic.length)
         require(length == 0 || length >= scene.reach_of(support), name, ": support_radius = ", support,
                 " m, with its skin ", scene.reach_of(support), " m, is longer than a period of ", length,
                 " m; a particle would see its neighbours twice");
+}
+
+template <int dim, class Real>
+void require_support(const Neighbourhood<dim, Real>& scene, double support, const std::string& name) {
+    require(std::isfinite(support) && support > 0, name, ": support_radius = ", support,
+            " m; it must be a finite number above 0 m (or 0: the scene's), usually 2 to 3 particle spacings");
+    require_within_periods(scene, support, name);
+}
+
+template <int dim, class Real>
+void require_supports_of_terms(const Neighbourhood<dim, Real>& scene) {
+    for (const Link& link : scene.links) {
+        const LinkRow& row = link.row;
+        if (row.support_of_term == nullptr || scene.phase(row.a).size() == 0 || scene.phase(row.b).size() == 0)
+            continue;
+        const std::string name = text(
+            row.coupling < 0 ? scene.phase(row.a).name : scene.coupling_names[static_cast<std::size_t>(row.coupling)],
+            ", ", row.term());
+        const double support = scene.support_of(row);
+        require(std::isfinite(support) && support > 0, name, ": the term reaches ", support,
+                " m; it must reach a finite number above 0 m, by its coefficients and the particle spacing");
+        require_within_periods(scene, support, name);
+    }
 }
 
 template <int dim, class Real>

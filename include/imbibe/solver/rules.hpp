@@ -46,6 +46,9 @@ struct list_each_phase_and_coupling_once;
 struct list_the_term_Clamped_in_the_phase;
 struct remove_particles_of_other_phases_only;
 struct give_the_term_to_the_phase_or_use_current_neighbours;
+struct write_static_Prepared_prepare_of_a_material_or_two_and_a_Lattice;
+struct remove_its_support_radius_or_use_current_neighbours;
+struct write_static_double_support_radius_of_a_material_or_of_two;
 struct make_one_of_the_two_terms_read_something_else;
 struct use_fewer_terms_or_raise_the_limits_in_schedule_hpp;
 
@@ -70,12 +73,17 @@ template <class Given, class Term, class Advice>
 struct PartsAreNoList {
     static_assert(never<Given>, "imbibe: the `parts` of this term are no list: write `using parts = Parts<...>;`");
 };
-/// Rule: the parameters of a term are given to it: a part has a member of that name and type, or a limit on the step
-/// takes them.
+/// Rule: the parameters of a term are given to it: a part has a member of that name and type, or a limit on the step,
+/// its support radius or what it prepares takes them.
 template <class Parameters, class Term, class Advice>
 struct ParametersNotTaken {
     static_assert(never<Parameters>,
                   "imbibe: nothing in this term takes its `Parameters`: what is set would be ignored");
+};
+/// Rule: a term that prepares numbers has the function that does so.
+template <class Prepared, class Term, class Advice>
+struct PreparedByNoFunction {
+    static_assert(never<Prepared>, "imbibe: this term has `Prepared`, and no function `prepare` that returns one");
 };
 /// Rule: a term that asks for elastic moduli is one of a phase that has them.
 template <class Term, class Phase, class Advice>
@@ -248,6 +256,16 @@ struct RemovedFromReference {
 template <class Term, class Coupling, class Advice>
 struct ReferenceNeighboursInCoupling {
     static_assert(never<Term>, "imbibe: a coupling has no reference neighbours, a phase keeps those of its own only");
+};
+/// Rule: a term with a support radius of its own sums over present neighbours.
+template <class Term, class Owner, class Advice>
+struct OwnSupportOfReferenceNeighbours {
+    static_assert(never<Term>, "imbibe: a sum over reference neighbours reaches as far as its phase, not further");
+};
+/// Rule: the support radius that a term says is a function of its phase, or of both phases of a coupling.
+template <class Term, class Owner, class Advice>
+struct SupportRadiusNotUsable {
+    static_assert(never<Term>, "imbibe: this term's support_radius cannot be asked for");
 };
 /// Rule: phases are told apart by their type, so each appears once.
 template <class Phase, class Advice>

@@ -100,6 +100,7 @@ template <class Engine>
 void check_numbers_of(const Engine& engine) {
     check_phases(engine, typename Engine::Phases{});
     check_couplings(engine, typename Engine::Couplings{});
+    require_supports_of_terms(engine);
 }
 
 /// True, or a compile error: What, a phase or a coupling, is in the list All of a scene.

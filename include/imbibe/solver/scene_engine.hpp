@@ -19,6 +19,8 @@ public:
 
     /// By how much states are advanced by the pass that is run, s.
     double step_length = 0;
+    /// When the step begins, s.
+    double time = 0;
 
     /// Evaluates terms in the order of their plan. `dt` is by how much states are advanced, s.
     void run(const Pass<dim, Real>& pass, double dt);

@@ -124,6 +124,8 @@ protected:
     virtual std::span<const detail::LimitRow> limit_rows() const = 0;
     /// Throws Error for a material or a coefficient out of range.
     virtual void check_numbers() const = 0;
+    /// Lets terms compute what follows from their coefficients and the spacing of the particles.
+    virtual void prepare_terms() = 0;
     /// Evaluates what is computed once.
     virtual void evaluate_once() = 0;
     /// Before the first step, and after particles were added.

@@ -72,10 +72,13 @@ void SceneRun<dim, Real>::shorten_steps(double share) {
 template <int dim, class Real>
 void SceneRun<dim, Real>::prepare() {
     const bool changed = may_have_changed_;
-    if (changed)
+    if (changed) {
         check_numbers();
+        prepare_terms();
+    }
     may_have_changed_ = false;
     auto& engine = base_engine();
+    engine.time = time_;
     if (prepared_ && steps_ > 0) {
         if (changed)
             engine.notice_greater_speeds();
@@ -133,6 +136,7 @@ void SceneRun<dim, Real>::take(const TimeStepLimit& chosen) {
                     limit.reason, ", ", limit.where, "); at most a million are taken");
             substeps_ = std::max(1, static_cast<int>(count));
         }
+        base_engine().time = time_;
         advance(chosen.seconds, substeps_);
     } catch (const Error& error) {
         const auto limits = time_step_limits();

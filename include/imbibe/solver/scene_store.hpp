@@ -57,6 +57,10 @@ public:
     /// H between two phases: that of the fluid, so that what pushes it from two sides is summed over the same reach;
     /// the greater one of two fluids, and where none is.
     double support(int a, int b) const;
+    /// How far the terms reach that sum over the neighbours of a link, m; see LinkRow.
+    double support_of(const LinkRow& row) const;
+    /// How far the farthest term between two phases reaches over present neighbours, m; their support() at least.
+    double longest_support(int a, int b) const;
     bool any_periodic() const {
         return std::any_of(periodic.length.begin(), periodic.length.end(), [](double length) { return length > 0; });
     }

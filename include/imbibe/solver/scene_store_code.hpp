@@ -34,4 +34,25 @@ double SceneStore<dim, Real>::support(int a, int b) const {
     return std::max(of_a, of_b);
 }
 
+template <int dim, class Real>
+double SceneStore<dim, Real>::support_of(const LinkRow& row) const {
+    if (row.support_of_term == nullptr)
+        return row.reference ? phase(row.a).numbers().support_radius : support(row.a, row.b);
+    if (row.coupling < 0)
+        return row.support_of_term(phase(row.a).material, phase(row.a).material, phase(row.a).material);
+    const CouplingRow& coupling = table.couplings[static_cast<std::size_t>(row.coupling)];
+    return row.support_of_term(couplings[static_cast<std::size_t>(row.coupling)], phase(coupling.first).material,
+                               phase(coupling.second).material);
+}
+
+template <int dim, class Real>
+double SceneStore<dim, Real>::longest_support(int a, int b) const {
+    double longest = support(a, b);
+    for (const Link& link : links)
+        if (const LinkRow& row = link.row; row.support_of_term != nullptr && !row.reference &&
+                                           ((row.a == a && row.b == b) || (row.a == b && row.b == a)))
+            longest = std::max(longest, support_of(row));
+    return longest;
+}
+
 } // namespace imbibe::detail

@@ -5,6 +5,7 @@
 #include <imbibe/solver/limit_rows.hpp>
 #include <imbibe/solver/phase_view.hpp>
 #include <imbibe/solver/population.hpp>
+#include <imbibe/solver/prepare_terms.hpp>
 #include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/scene_run.hpp>
 
@@ -199,6 +200,7 @@ private:
         return detail::LimitRows<dimension, Scene, Integrator>::rows;
     }
     void check_numbers() const override { detail::check_numbers_of(engine_); }
+    void prepare_terms() override { detail::prepare_terms_of(engine_); }
     void evaluate_once() override { engine_.template run<typename Scene::Once>(0); }
     void start_steps() override {
         if constexpr (steps_are_defined && requires { Integrator::start(engine_); })

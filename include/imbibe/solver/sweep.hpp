@@ -94,6 +94,7 @@ struct OwnView {
     const P& material;
     const Vector<double, dim>& gravity_now;
     double time_step; ///< by how much states are advanced in this step, s; 0 for what is computed once
+    double time;      ///< of the scene where the step begins, s
 
     template <class F>
     IMBIBE_INLINE auto operator[](F) const {
@@ -137,33 +138,36 @@ IMBIBE_INLINE void add_all(Sums<List, dim, T>& sums, const R& result, std::index
         (sums.template add<At<static_cast<int>(k), typename Node_::Adds>>(result), ...);
 }
 
-/// A part with its coefficients filled in from the phase or coupling that owns it.
+/// A part with its coefficients, and what follows from them, filled in from the phase or coupling that owns it.
 template <class N, class Owner>
 IMBIBE_INLINE auto make_part(const Owner& owner) {
     typename N::Part part{};
     if constexpr (requires { part.parameters; })
         part.parameters = owner.coefficients.template get<std::remove_cvref_t<decltype(part.parameters)>>();
+    if constexpr (requires { part.prepared; })
+        part.prepared = std::get<std::remove_cvref_t<decltype(part.prepared)>>(owner.coefficients.prepared);
     return part;
 }
 
-/// Neighbours of a sweep: which phase, by which positions.
-template <class B_, bool reference_>
+/// Neighbours of a sweep: which phase, by which positions, and how far; see Node.
+template <class B_, bool reference_, class Reach_>
 struct Source {
     using B = B_;
+    using Reach = Reach_;
     static constexpr bool reference = reference_;
 };
 
 template <class S>
 struct NodesFrom {
     template <class N>
-    struct Keep : std::bool_constant<std::is_same_v<typename N::B, typename S::B> && N::reference == S::reference> {};
+    struct Keep : std::is_same<Source<typename N::B, N::reference, typename N::Reach>, S> {};
 };
 
 template <class List>
 struct SourcesOf;
 template <class... N>
 struct SourcesOf<TypeList<N...>> {
-    using type = Unique<TypeList<Source<typename N::B, N::reference>...>>;
+    using type = Unique<TypeList<Source<typename N::B, N::reference, typename N::Reach>...>>;
 };
 template <class List>
 struct AddsOfNodes;

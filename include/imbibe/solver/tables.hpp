@@ -92,6 +92,11 @@ struct LimitRow {
 struct LinkRow {
     int a = 0, b = 0;
     bool reference = false;
+    /// A term whose neighbours they are because it says itself how far it reaches, m; null where they are those of all
+    /// other terms. @param owner has its coefficients, @param first and @param second the phases of a coupling
+    double (*support_of_term)(const std::any& owner, const std::any& first, const std::any& second) = nullptr;
+    std::string (*term)() = nullptr; ///< its name
+    int coupling = -1;               ///< its owner; -1: phase `a`
 };
 
 /// Some columns of one phase.

@@ -157,7 +157,7 @@ void note_doubts_of_scene(Warnings& warnings, const Neighbourhood<dim, Real>& sc
             continue;
         warnings.note(warning_of_overlap(*link, scene, origin));
         const Outline &a = outline[row.first], &b = outline[row.second];
-        const double reach = scene.support(row.first, row.second);
+        const double reach = scene.longest_support(row.first, row.second);
         if (a.size() == 0 || b.size() == 0)
             continue;
         warnings.note(warning_of_wide_spacing(a, b, reach));
