@@ -17,6 +17,7 @@
     template class SceneStore<dim, Real>;                                                                              \
     template class Neighbourhood<dim, Real>;                                                                           \
     template class Mover<dim, Real>;                                                                                   \
+    template class Threads<dim, Real>;                                                                                 \
     template class SceneEngine<dim, Real>;                                                                             \
     template class PairDistances<dim, Real, native_width<Real>>;                                                       \
     template double box_of(const SceneStore<dim, Real>&, int);                                                         \

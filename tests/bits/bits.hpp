@@ -1,6 +1,8 @@
 // Checksums of all that a scene holds after some steps, to see that a change of the library changed no bit.
 #pragma once
 
+#include "poisoned.hpp"
+
 #include <imbibe/output/checkpoint.hpp>
 #include <imbibe/solver/solver.hpp>
 
@@ -9,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -56,14 +59,21 @@ Checksums checksums_of(const Scene& scene) {
     return all;
 }
 
+/// Lets the loops of a scene run in a Poisoned space.
+template <class Scene>
+void poison(Scene& scene) {
+    auto& engine = const_cast<typename Scene::Engine&>(scene.engine());
+    engine.space = std::make_shared<Poisoned<Scene::dimension, typename Scene::Real>>();
+}
+
 /// All scenes that were run: their checksums by "scene phase field", and what was wrong with them.
 struct Record {
     Checksums all;
     std::vector<std::string> faults;
     static constexpr int steps = 100; ///< how many each takes
 
-    /// Runs what `make(threads)` makes with 1 and 2 threads and once more from a checkpoint after sixty
-    /// steps, and takes the checksums down under a name. They must be the same.
+    /// Runs what `make(threads)` makes with 1 and 2 threads, once more from a checkpoint after sixty steps, and where
+    /// loops hold only the columns that they declare, and takes the checksums down under a name. They must be the same.
     template <class Make>
     void run(const std::string& name, const Make& make) {
         const auto path = std::filesystem::temp_directory_path() / imbibe::text("imbibe_bits_", getpid());
@@ -72,8 +82,10 @@ struct Record {
             for (int k = 0; k < count; ++k)
                 scene.step();
         };
-        const auto whole = [&](int threads) {
+        const auto whole = [&](int threads, bool poisoned = false) {
             auto scene = make(threads);
+            if (poisoned)
+                poison(scene);
             march(scene, before);
             imbibe::write_checkpoint(scene, path);
             march(scene, steps - before);
@@ -85,6 +97,7 @@ struct Record {
         march(again, steps - before);
         compare(name + ", 2 threads", on_two, on_one);
         compare(name + ", after a restart", checksums_of(again), on_one);
+        compare(name + ", where loops hold what they declare", whole(1, true), on_one);
         for (const auto& [what, sum] : on_one)
             all[name + " " + what] = sum;
         std::filesystem::remove(path);

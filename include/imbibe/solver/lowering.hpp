@@ -167,8 +167,13 @@ private:
                 made.advances_density = made.advances_density || std::is_same_v<F, Density>;
             } else {
                 made.reads_own = made.reads_own | Scene::template columns<A>(ReadsOnA<dim, N>{});
-                if constexpr (is_pair_node<dim, N>)
-                    made.reads_near = made.reads_near | Scene::template columns<typename N::B>(ReadsOnB<dim, N>{});
+                if constexpr (is_pair_node<dim, N>) {
+                    using B = typename N::B;
+                    using Place = std::conditional_t<N::reference, ReferencePosition, Position>;
+                    made.reads_own = made.reads_own | Scene::template columns<A>(TypeList<Place>{});
+                    made.reads_near = made.reads_near | Scene::template columns<B>(ReadsOnB<dim, N>{}) |
+                                      Scene::template columns<B>(TypeList<Place>{});
+                }
                 made.writes = made.writes | Scene::template columns<A>(Concat<typename N::Adds, typename N::Sets>{});
             }
         }

@@ -1,11 +1,14 @@
-// Runs the passes of a scene: clears sums, brings up to date what others see, and calls the bodies of the loops on
-// blocks of particles. It knows no type of the scene, only its tables.
+// Runs the passes of a scene: clears sums, brings up to date what others see, and has the loops run. It knows no type of
+// the scene, only its tables.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
 #include <imbibe/solver/closed_fluid.hpp>
 #include <imbibe/solver/motion.hpp>
+#include <imbibe/solver/space.hpp>
 #include <imbibe/solver/tables.hpp>
+
+#include <memory>
 
 namespace imbibe::detail {
 
@@ -17,6 +20,8 @@ public:
     using Phase = typename Base::Phase;
     using Base::Base;
 
+    /// Who runs the loops; copies of the scene share it.
+    std::shared_ptr<const Space<dim, Real>> space = std::make_shared<Threads<dim, Real>>();
     /// By how much states are advanced by the pass that is run, s.
     double step_length = 0;
     /// When the step begins, s.

@@ -6,6 +6,13 @@
 namespace imbibe::detail {
 
 template <int dim, class Real>
+void Threads<dim, Real>::launch(SceneEngine<dim, Real>& scene, const Loop<dim, Real>& loop) const {
+    const auto block = [&](int begin, int end) { loop.body(scene, begin, end); };
+    loop_blocks(scene.phase(loop.phase).size(), loop.sweep ? search::RunList::smallest_block : 2048, scene.threads,
+                Callable<void(int, int)>(block));
+}
+
+template <int dim, class Real>
 void SceneEngine<dim, Real>::run(const Pass<dim, Real>& pass, double dt) {
     step_length = dt;
     for (const ColumnRange& range : pass.cleared)
@@ -38,9 +45,7 @@ void SceneEngine<dim, Real>::run(const Loop<dim, Real>& loop) {
             fetch(this->link_at(k), loop.reads_near);
             ++this->link_at(k).sweeps;
         }
-        const auto block = [&](int begin, int end) { loop.body(*this, begin, end); };
-        loop_blocks(s.size(), loop.sweep ? search::RunList::smallest_block : 2048, this->threads,
-                    Callable<void(int, int)>(block));
+        space->launch(*this, loop);
         for (std::size_t k = 0; k < s.row->fields.size(); ++k)
             if (loop.writes.test(s.row->first_bit + static_cast<int>(k)))
                 s.note_written(s.row->fields[k].first);

@@ -114,7 +114,7 @@ struct Loop {
     bool sweep = false;             ///< over neighbours
     int phase = 0;                  ///< whose particles, and who is written to
     std::span<const int> links{};   ///< a sweep's neighbours
-    Bits reads_own{}, reads_near{}; ///< fields that are read of the particle and of its neighbours
+    Bits reads_own{}, reads_near{}; ///< fields that are read of the particle and of its neighbours, places included
     Bits writes{};                  ///< fields that are written
     bool advances_density = false;  ///< by its rate
     /// Computes particles [begin, end).
