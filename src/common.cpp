@@ -1,5 +1,6 @@
 // For the library imbibe::core: what is the same for scenes of all dimensions and numbers: checks, files, eigenvalues.
 #define IMBIBE_CORE_SOURCE
+#include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/progress.hpp>
 #include <imbibe/output/run_folder.hpp>
 #include <imbibe/output/vtk_series.hpp>

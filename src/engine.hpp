@@ -2,6 +2,7 @@
 // instantiations for the library imbibe::core.
 #pragma once
 
+#include <imbibe/monitor/guard.hpp>
 #include <imbibe/output/snapshots.hpp>
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/population.hpp>
@@ -19,6 +20,7 @@
     template class Mover<dim, Real>;                                                                                   \
     template class Threads<dim, Real>;                                                                                 \
     template class SceneEngine<dim, Real>;                                                                             \
+    template double reduced(const PhaseStore<dim, Real>&, const Reduction<dim, Real>&, int);                           \
     template class PairDistances<dim, Real, native_width<Real>>;                                                       \
     template double box_of(const SceneStore<dim, Real>&, int);                                                         \
     template void require_support(const Neighbourhood<dim, Real>&, double, const std::string&);                        \
@@ -39,6 +41,8 @@
     template void SceneWatch::look_after_step(const Neighbourhood<dim, Real>&, const Origin<dim>&, double, double,     \
                                               Warnings&);                                                              \
     }                                                                                                                  \
+    template void imbibe::Guard<dim>::look_after_step(const imbibe::SceneRun<dim, Real>&);                             \
+    template void imbibe::Guard<dim>::look_at_all(const imbibe::SceneRun<dim, Real>&);                                 \
     template class imbibe::SceneRun<dim, Real>;                                                                        \
     template void imbibe::Snapshots::write(const imbibe::detail::SceneStore<dim, Real>&, double,                       \
                                            const imbibe::detail::Origin<dim>&);

@@ -35,6 +35,7 @@
 //     couplings with both materials, and behind these the Parameters if it needs them: numbers that follow from
 //     spacing, support radius and dimension (lattice.hpp). They are computed before the first step and when a program
 //     may have changed coefficients, and fill the member `Prepared prepared;` of its parts;
+//   - `using reductions = Parts<...>`: what its fields are summed up to, or are at most or least, see Sum, Max and Min;
 //   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
 //     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that
@@ -51,6 +52,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <string_view>
 #include <tuple>
 
 namespace imbibe {
@@ -99,6 +101,38 @@ struct Lattice;
 /// The parts of a term.
 template <class... P>
 using Parts = TypeList<P...>;
+
+/// What a part among the `reductions` of a term does with what its function (a) -> number returns for the particles of a
+/// phase: `using reduces = Sum<StoredEnergy>;`. It says which fields it `reads`, and is asked whenever a limit on the
+/// step, a guard or a program wants to know (`reduced`), never in a step. Its numbers are plain doubles, and it may
+/// branch. In a coupling it counts for nothing.
+/// @tparam Quantity_ what it is: a field, or a struct with `name` and `unit`
+template <class Quantity_>
+struct Sum {
+    using Quantity = Quantity_;          ///< what is summed up
+    static constexpr double of_none = 0; ///< of no particles
+    /// Of two sets of particles.
+    static constexpr double both(double one, double other) { return one + other; }
+};
+/// The greatest; see Sum.
+template <class Quantity_>
+struct Max {
+    using Quantity = Quantity_;
+    static constexpr double of_none = -std::numeric_limits<double>::infinity();
+    static constexpr double both(double one, double other) { return std::max(one, other); }
+};
+/// The least; see Sum.
+template <class Quantity_>
+struct Min {
+    using Quantity = Quantity_;
+    static constexpr double of_none = std::numeric_limits<double>::infinity();
+    static constexpr double both(double one, double other) { return std::min(one, other); }
+};
+
+/// The energy that a term stores and gives back, J (J/m in 2D): what a Guard counts.
+struct StoredEnergy {
+    static constexpr std::string_view name = "stored energy", unit = "J";
+};
 
 /// Neighbours by where the particles are now (the default) ...
 struct Current {};
@@ -288,12 +322,10 @@ struct IMBIBE_PER_BUILD TimeStepInput {
     /// The distance of the two phases' nearest particles where the last step began, m: for terms of a coupling that ask
     /// for it by `static constexpr bool limit_by_nearest = true`. Infinite for others, and where none is in reach.
     double nearest = std::numeric_limits<double>::infinity();
-    /// The greatest component of a field in the phase, for terms of a phase that ask for one by
-    /// `using limit_by_greatest = Field`; 0 before the first step if it is not computed once.
+    /// What the term's own reduction by Max gives, for terms of a phase.
     double greatest = 0;
-    /// The least trace of a symmetric tensor in the phase, for terms of a phase that ask for one by
-    /// `using limit_by_least_trace = Field`; 0 before the first step if it is not computed once.
-    double least_trace = 0;
+    /// What its reduction by Min gives.
+    double least = 0;
     /// The greatest of the phase's velocities as they are, m/s: for a term that asks for the velocity itself.
     double fastest = 0;
 };
@@ -433,6 +465,15 @@ template <class Part>
     requires requires { typename Part::sets; }
 struct SetsOf<Part> {
     using type = typename Part::sets;
+};
+template <class Term>
+struct ReductionsOf {
+    using type = TypeList<>;
+};
+template <class Term>
+    requires requires { typename Term::reductions; }
+struct ReductionsOf<Term> {
+    using type = typename Term::reductions;
 };
 template <class Term>
 struct StoresOf {

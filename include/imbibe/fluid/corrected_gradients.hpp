@@ -126,7 +126,7 @@ struct CorrectedPressure {
     using parts = Parts<Volume, Push>;
 
     static constexpr const char* limit_name = "corrected gradients";
-    using limit_by_greatest = GradientCorrection;
+    using reductions = Parts<GreatestCorrection>;
     /// That of sound, acoustic_time_step, over the cube root of 1 + 1.4 (D - 1), s, with the greatest component D of
     /// any L, at least 1: 2 to 5 at a free surface, to 12 in spray. Fitted to the greatest singular values of the
     /// corrected gradient of squares, cubes and spray with free surfaces, with supports of 1.5 to 4 spacings and
@@ -165,7 +165,7 @@ struct CorrectedViscosity {
     }
 
     static constexpr const char* limit_name = MorrisViscosity<Kernel>::limit_name;
-    using limit_by_greatest = GradientCorrection;
+    using reductions = Parts<GreatestCorrection>;
     /// That of MorrisViscosity, over the cube root of 3/4 of the greatest component of any L where that is more than 1,
     /// s; as for CorrectedPressure, the longest step that holds is 1 to 1.8 times this.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {

@@ -1,8 +1,11 @@
-// The moments of a kernel's gradients over the neighbours there are, and the matrix that corrects the gradients by them.
+// The moments of a kernel's gradients over the neighbours there are, and the matrix that corrects the gradients by
+// them.
 #pragma once
 
-#include <imbibe/core/field.hpp>
+#include <imbibe/core/term.hpp>
 #include <imbibe/core/vector.hpp>
+
+#include <algorithm>
 
 namespace imbibe {
 
@@ -17,6 +20,17 @@ struct GradientCorrection : Field<Rank::symmetric_tensor> {
     static constexpr std::string_view name = "gradient_correction", unit = "1";
 };
 inline constexpr GradientCorrection gradient_correction{};
+
+/// The greatest component of any L_a, on which limits on the step depend.
+struct GreatestCorrection {
+    using reads = Fields<gradient_correction>;
+    using reduces = Max<GradientCorrection>;
+
+    double operator()(const auto& a) const {
+        const auto L = a[gradient_correction];
+        return *std::max_element(std::begin(L.c), std::end(L.c));
+    }
+};
 
 namespace detail {
 

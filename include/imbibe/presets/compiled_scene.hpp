@@ -26,8 +26,6 @@
     linkage template void imbibe::Snapshots::operator()(const __VA_ARGS__&);                                           \
     linkage template void imbibe::Snapshots::resume(const __VA_ARGS__&, std::size_t);                                  \
     linkage template std::string imbibe::keep_offending_state(const __VA_ARGS__&, const std::filesystem::path&);       \
-    linkage template void imbibe::Guard<__VA_ARGS__::dimension>::operator()(const __VA_ARGS__&);                       \
-    linkage template void imbibe::Guard<__VA_ARGS__::dimension>::look(const __VA_ARGS__&);                             \
     linkage template void imbibe::write_checkpoint(__VA_ARGS__&, const std::filesystem::path&,                         \
                                                    const imbibe::CheckpointNotes&);                                    \
     linkage template imbibe::CheckpointNotes imbibe::read_checkpoint(__VA_ARGS__&, const std::filesystem::path&)

@@ -91,7 +91,7 @@ struct CorrectedStressForce {
     using parts = Parts<Volume, Prepare, Push>;
 
     static constexpr const char* limit_name = CorrectedPressure<Kernel>::limit_name;
-    using limit_by_greatest = GradientCorrection;
+    using reductions = Parts<GreatestCorrection>;
     /// That of CorrectedPressure, s, with the speed of longitudinal waves: the longest step that holds is 1.1 to 1.8
     /// times this for squares and cubes on lattices and with disorder of 0.3 spacings, with supports of 2 to 3
     /// spacings.

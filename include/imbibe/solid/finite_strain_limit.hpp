@@ -46,7 +46,12 @@ struct FiniteStrainLimit : Law {
     };
     using parts = detail::Concat<detail::PartList<Law>, Parts<Stiffening>>;
 
-    using limit_by_greatest = WaveStiffening;
+    struct Stiffest {
+        using reads = Fields<wave_stiffening>;
+        using reduces = Max<WaveStiffening>;
+        double operator()(const auto& a) const { return a[wave_stiffening]; }
+    };
+    using reductions = detail::Concat<typename detail::ReductionsOf<Law>::type, Parts<Stiffest>>;
     /// As said above, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return detail::elastic_wave_limit(material, in, 1, std::max(in.greatest, 1.0));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/core/term.hpp>
+#include <imbibe/solid/shear_energy.hpp>
 
 namespace imbibe {
 
@@ -27,6 +28,7 @@ struct JaumannStress {
     static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<velocity_gradient, deviatoric_stress>;
     using adds = Fields<deviatoric_stress_rate>;
+    using reductions = Parts<ShearEnergy>;
     static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {

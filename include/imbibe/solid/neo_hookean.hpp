@@ -4,6 +4,7 @@
 //     IsochoricNeoHookean      W = G/2 (J^(-2/3) tr C - 3)     + K/4      (J^2 - 1 - 2 ln J)
 #pragma once
 
+#include <imbibe/solid/elastic_energy.hpp>
 #include <imbibe/solid/first_piola.hpp>
 
 namespace imbibe {
@@ -33,6 +34,7 @@ struct CompressibleNeoHookean {
     static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
+    using reductions = Parts<ElasticEnergy<CompressibleNeoHookean>>;
     static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
@@ -106,6 +108,7 @@ struct IsochoricNeoHookean {
     static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
+    using reductions = Parts<ElasticEnergy<IsochoricNeoHookean>>;
     static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {

@@ -4,6 +4,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/solid/deformation_gradient.hpp>
 #include <imbibe/solid/first_piola.hpp>
+#include <imbibe/solid/neo_hookean.hpp>
 
 namespace imbibe {
 
@@ -97,6 +98,7 @@ struct PairwiseShearForce {
         }
     };
     using parts = Parts<Displacement, Prepare, Push>;
+    using reductions = Parts<ElasticEnergy<IsochoricNeoHookean>>; // nearly
 
     static constexpr const char* limit_name = "elastic wave";
     /// That of CompressibleNeoHookean, s, by the wave speed that a `factor` above that of the source makes.

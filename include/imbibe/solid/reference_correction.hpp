@@ -103,8 +103,17 @@ struct ReferenceCorrection {
     using parts = Parts<Moments, Invert, Sum>;
 
     static constexpr const char* limit_name = "corrected gradients";
-    using limit_by_greatest = GradientSum;
-    using limit_by_least_trace = GradientCorrection;
+    struct GreatestSum {
+        using reads = Fields<gradient_sum>;
+        using reduces = Max<GradientSum>;
+        double operator()(const auto& a) const { return a[gradient_sum]; }
+    };
+    struct LeastTrace {
+        using reads = Fields<gradient_correction>;
+        using reduces = Min<GradientCorrection>;
+        double operator()(const auto& a) const { return trace(a[gradient_correction]); }
+    };
+    using reductions = Parts<GreatestSum, LeastTrace>;
     /// The lesser of two, s, of irregular and of thin bodies, c being the speed of longitudinal waves:
     ///
     /// spacing/(c (1 + 3 (S/S_0 - 1))) where the greatest S_a is above S_0, 2.82/spacing in 3D and 2/spacing in 2D,
@@ -128,7 +137,7 @@ struct ReferenceCorrection {
             const double r = in.support_radius / in.spacing;
             const double moment =
                 in.dimension == 2 ? detail::lattice_moment<Kernel, 2>(r) : detail::lattice_moment<Kernel, 3>(r);
-            const double thinness = moment * in.least_trace / in.dimension;
+            const double thinness = moment * in.least / in.dimension;
             if (thinness > 1.1)
                 limit = std::min(limit, detail::elastic_wave_limit(material, in, thinness));
         }

@@ -1,6 +1,7 @@
 // The law of St. Venant and Kirchhoff, W = lambda/2 tr(E)^2 + G E:E: Hooke's law for large rotations.
 #pragma once
 
+#include <imbibe/solid/elastic_energy.hpp>
 #include <imbibe/solid/first_piola.hpp>
 
 namespace imbibe {
@@ -22,6 +23,7 @@ struct StVenantKirchhoff {
     static constexpr double greatest_poisson_ratio = 0.495;
     using reads = Fields<deformation_gradient>;
     using sets = Fields<first_piola_stress>;
+    using reductions = Parts<ElasticEnergy<StVenantKirchhoff>>;
     static constexpr bool in_packs = true;
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a) const {

@@ -131,6 +131,7 @@ struct VolumetricDeviatoric {
         }
     };
     using parts = Parts<Weigh, Volume, Sum, Pressure, Share, Stress>;
+    using reductions = Parts<ElasticEnergy<IsochoricNeoHookean>>; // with volumes that are not averaged
 
     /// That of IsochoricNeoHookean, whose volume is not averaged: a little more.
     template <class T, int n>

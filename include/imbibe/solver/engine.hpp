@@ -29,7 +29,7 @@ public:
     template <class P>
     using ConstState = PhaseState<P, FieldsOf<P>, const PhaseStore<dim, Real>>;
 
-    Engine() : Base(Tables::scene) {}
+    Engine() : Base(Tables::scene, Tables::reductions) {}
 
     template <class P>
     State<P> state() {

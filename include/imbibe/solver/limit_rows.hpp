@@ -85,6 +85,12 @@ double advection_limit_in_phase(const std::any& owner, const std::any&, const st
     return Term::advection_limit(material, in, material.coefficients.template get<typename Term::Parameters>());
 }
 
+/// Is a reduction one by Sum, Max or Min?
+template <class Reduces, template <class> class Kind>
+inline constexpr bool is_reduction_by = false;
+template <class Quantity, template <class> class Kind>
+inline constexpr bool is_reduction_by<Kind<Quantity>, Kind> = true;
+
 /// The rows of a scene. @tparam Scene a Composition, @tparam Integrator says which are on the short steps that a step
 /// is made of, if it is
 template <int dim, class Scene, class Integrator>
@@ -96,8 +102,18 @@ class IMBIBE_PER_BUILD LimitRows {
         else
             return false;
     }
-    template <class P, class F>
-    static constexpr int column = column_or_none<dim, F, typename Scene::template FieldsOf<P>>();
+    using Reductions = typename CollectReductions<typename Scene::Phases>::type;
+    // The reduction of that kind that a term of phase P has among those of the scene, or -1.
+    template <class P, class Term, template <class> class Kind, class... N>
+    static constexpr int find_reduction(TypeList<N...>) {
+        int at = -1, k = 0;
+        ((std::is_same_v<typename N::A, P> && std::is_same_v<typename N::Term, Term> &&
+                  is_reduction_by<typename N::Part::reduces, Kind>
+              ? at = k++
+              : k++),
+         ...);
+        return at;
+    }
 
     template <class P, class Term>
     static constexpr auto row_of_phase_term() {
@@ -112,10 +128,8 @@ class IMBIBE_PER_BUILD LimitRows {
                          .reason = Term::limit_name,
                          .seconds = &limit_in_phase<Term, P>,
                          .of_substeps = in_substeps<P, Term>()};
-            if constexpr (requires { typename Term::limit_by_greatest; })
-                row.greatest = column<P, typename Term::limit_by_greatest>;
-            if constexpr (requires { typename Term::limit_by_least_trace; })
-                row.least_trace = column<P, typename Term::limit_by_least_trace>;
+            row.greatest = find_reduction<P, Term, Max>(Reductions{});
+            row.least = find_reduction<P, Term, Min>(Reductions{});
             return std::array{row};
         }
     }

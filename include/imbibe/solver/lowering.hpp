@@ -4,6 +4,7 @@
 #include <imbibe/core/phase.hpp>
 #include <imbibe/solver/composition.hpp>
 #include <imbibe/solver/loop_bodies.hpp>
+#include <imbibe/solver/reductions.hpp>
 
 namespace imbibe::detail {
 
@@ -29,7 +30,8 @@ class IMBIBE_PER_BUILD PhaseRowOf {
     template <class... F>
     static constexpr std::array<FieldRow, sizeof...(F)> field_rows(TypeList<F...>) {
         return {FieldRow{F::name, F::unit, F::rank, F::given || Scene::template integrated<P, F>() || F::shown,
-                         component_offset<dim, F, Fields>, components(F::rank, dim)}...};
+                         component_offset<dim, F, Fields>, components(F::rank, dim),
+                         F::given || Scene::template integrated<P, F>()}...};
     }
     template <class... F>
     static constexpr std::array<StateRow, sizeof...(F)> state_rows(TypeList<F...>) {
@@ -42,7 +44,7 @@ class IMBIBE_PER_BUILD PhaseRowOf {
     static std::string name() { return name_among<P>(typename Scene::Phases{}); }
     static PhaseNumbers numbers(const std::any& material) {
         const P& m = *std::any_cast<P>(&material);
-        PhaseNumbers all{.support_radius = m.support_radius, .spacing = m.spacing};
+        PhaseNumbers all{.support_radius = m.support_radius, .spacing = m.spacing, .density = m.density};
         if constexpr (P::moves)
             all.sound_speed = m.sound_speed;
         return all;
@@ -142,6 +144,12 @@ private:
     static constexpr auto couplings = coupling_rows(Couplings{});
     static constexpr auto links = link_rows(Links{});
 
+    template <class... N>
+    static constexpr std::array<Reduction<dim, Real>, sizeof...(N)> reduction_rows(TypeList<N...>) {
+        return {reduction_of<N, typename Scene::template FieldsOf<typename N::A>, dim, Real>(index<typename N::A>)...};
+    }
+    static constexpr auto reduction_array = reduction_rows(typename CollectReductions<Phases>::type{});
+
     template <class P, class... S>
     static constexpr std::array<int, sizeof...(S)> links_of(TypeList<S...>) {
         return {index_of<LinkType<P, typename S::B, S::reference, typename S::Reach>, Links>...};
@@ -239,6 +247,8 @@ private:
 public:
     /// The scene's phases, couplings and links.
     static constexpr SceneTable scene{.phases = phases, .couplings = couplings, .links = links};
+    /// What its terms reduce over the particles of a phase.
+    static constexpr std::span<const Reduction<dim, Real>> reductions = reduction_array;
     /// One of its passes. @tparam What a pass of the composition
     template <class What>
     static constexpr const Pass<dim, Real>& pass() {

@@ -190,6 +190,24 @@ struct CollectNodes<dim, TypeList<P...>, TypeList<C...>> {
                                                    typename NodesOfCoupling<C, typename C::terms>::type...>>>::type;
 };
 
+// ---- reductions ---------------------------------------------------------------------------------------------------
+
+template <class P, class Terms>
+struct ReductionsOfPhase;
+template <class P, class... Term>
+struct ReductionsOfPhase<P, TypeList<Term...>> {
+    template <class One>
+    using Own = std::conditional_t<suits<P, One>, typename ReductionsOf<One>::type, TypeList<>>;
+    using type = Concat<typename NodesOfParts<P, P, P, Term, Own<Term>>::type...>;
+};
+/// The reductions of the terms of all phases, each as the node of a part.
+template <class Phases>
+struct CollectReductions;
+template <class... P>
+struct CollectReductions<TypeList<P...>> {
+    using type = Concat<typename ReductionsOfPhase<P, typename P::terms>::type...>;
+};
+
 // ---- the fields of a phase ----------------------------------------------------------------------------------------
 
 template <int dim, class N, class Side, class List>

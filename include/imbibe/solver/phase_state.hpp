@@ -35,6 +35,7 @@ class PhaseState {
 
 public:
     static constexpr int dimension = Store::dimension, component_total = component_count<dimension, List>;
+    using Fields = List;
     using Number = Seen<typename Store::Number>;
     template <class F>
     static constexpr int offset = component_offset<dimension, F, List>;

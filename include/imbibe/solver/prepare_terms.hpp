@@ -35,11 +35,10 @@ void prepare_list([[maybe_unused]] TypeList<Term...> terms, [[maybe_unused]] Own
 /// All terms of all phases that have particles, and of couplings of two such.
 template <class Engine>
 void prepare_terms_of(Engine& engine) {
-    constexpr int dim = Engine::dimension;
     engine.for_each_phase([]<class P>(std::type_identity<P>, const auto& s) {
         if (s.size() > 0)
-            prepare_list<dim>(typename P::terms{}, s.material, s.material.spacing, s.material.support_radius,
-                              s.material);
+            prepare_list<Engine::dimension>(typename P::terms{}, s.material, s.material.spacing,
+                                            s.material.support_radius, s.material);
     });
     [[maybe_unused]] const auto prepare = [&engine]<class C>(std::type_identity<C>) {
         using A = typename C::First;
@@ -47,9 +46,9 @@ void prepare_terms_of(Engine& engine) {
         const auto a = engine.template state<A>();
         const auto b = engine.template state<B>();
         if (a.size() > 0 && b.size() > 0)
-            prepare_list<dim>(typename C::terms{}, engine.template coupling<C>(),
-                              std::max(a.material.spacing, b.material.spacing), engine.template support<A, B>(),
-                              a.material, b.material);
+            prepare_list<Engine::dimension>(typename C::terms{}, engine.template coupling<C>(),
+                                            std::max(a.material.spacing, b.material.spacing),
+                                            engine.template support<A, B>(), a.material, b.material);
     };
     [&]<class... C>(TypeList<C...>) { (prepare(std::type_identity<C>{}), ...); }(typename Engine::Couplings{});
 }

@@ -42,6 +42,8 @@ public:
     /// coupling names, two bodies of a total-Lagrangian phase without a term between them. They are looked for at every
     /// tenth step, where speeds allow them to have met; each is a warning, and a Guard ends the run.
     const std::vector<Meeting>& meetings() const { return watch_.met(); }
+    /// Its particles, neighbours and tables, whatever terms it has; for parts of the library.
+    const detail::SceneEngine<dim, Real>& scene_engine() const { return base_engine(); }
     /// The scene as it is now, whatever terms it has; for parts of the library.
     detail::OutlineOfScene outline() const { return detail::outline_of(base_engine(), settings_.origin); }
 

@@ -31,6 +31,7 @@ public:
     static constexpr int dimension = dim, width = native_width<Real>;
 
     SceneTable table;
+    std::span<const Reduction<dim, Real>> reductions;
     std::vector<Phase> phases;
     std::vector<std::any> couplings; ///< an object of each one's type
     std::vector<std::string> coupling_names;
@@ -45,7 +46,7 @@ public:
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images{};
     int threads = 1;
 
-    explicit SceneStore(const SceneTable& of);
+    SceneStore(const SceneTable& of, std::span<const Reduction<dim, Real>> of_terms);
 
     void set_periodic(const search::Periodic<dim>& sides);
 

@@ -6,7 +6,8 @@
 namespace imbibe::detail {
 
 template <int dim, class Real>
-SceneStore<dim, Real>::SceneStore(const SceneTable& of) : table(of) {
+SceneStore<dim, Real>::SceneStore(const SceneTable& of, std::span<const Reduction<dim, Real>> of_terms)
+    : table(of), reductions(of_terms) {
     for (const PhaseRow& row : table.phases)
         phases.emplace_back(row);
     for (const CouplingRow& row : table.couplings) {

@@ -19,9 +19,10 @@ namespace imbibe::detail {
 struct FieldRow {
     std::string_view name, unit;
     Rank rank = Rank::scalar;
-    bool shown = false; ///< in snapshots: a state, or one that says so
-    int first = 0;      ///< its first column
-    int components = 0; ///< how many columns
+    bool shown = false;    ///< in snapshots: a state, or one that says so
+    int first = 0;         ///< its first column
+    int components = 0;    ///< how many columns
+    bool is_state = false; ///< given or integrated
 };
 
 /// A state that a step advances by its rate.
@@ -35,6 +36,7 @@ struct StateRow {
 struct PhaseNumbers {
     double support_radius = 0, spacing = 0; ///< m
     double sound_speed = 0;                 ///< m/s; 0 for a wall
+    double density = 0;                     ///< at rest, kg/m^3
 };
 
 /// A phase. Columns are -1 where a field is not stored.
@@ -84,8 +86,8 @@ struct LimitRow {
     /// What the term says, s; below 0 or infinite: none. @param owner has its coefficients
     double (*seconds)(const std::any& owner, const std::any& material, const std::any& other,
                       const TimeStepInput& in) = nullptr;
-    int greatest = -1, least_trace = -1; ///< fields, by their first columns, of which the term asks for an extreme
-    bool of_substeps = false;            ///< on the short steps that a step is made of
+    int greatest = -1, least = -1; ///< which of the scene's reductions the term asks for
+    bool of_substeps = false;      ///< on the short steps that a step is made of
 };
 
 /// Phase `a` sums over neighbours in phase `b`: those of now, or those of the stress-free configuration.
@@ -119,6 +121,19 @@ struct Loop {
     bool advances_density = false;  ///< by its rate
     /// Computes particles [begin, end).
     void (*body)(SceneEngine<dim, Real>&, int begin, int end) = nullptr;
+};
+
+/// What a term reduces over the particles of a phase.
+template <int dim, class Real>
+class IMBIBE_PER_BUILD PhaseStore;
+template <int dim, class Real>
+struct Reduction {
+    int phase = 0;
+    std::string_view quantity, unit;
+    double of_none = 0;
+    double (*both)(double one, double other) = nullptr; ///< of two sets of particles
+    /// Of particles [begin, end).
+    double (*body)(const PhaseStore<dim, Real>& phase, int begin, int end) = nullptr;
 };
 
 /// What an integrator can ask for: loops one after the other.

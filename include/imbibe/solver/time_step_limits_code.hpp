@@ -1,6 +1,7 @@
 // The code of time_step_limits.hpp: asks all terms for their limits.
 #pragma once
 
+#include <imbibe/solver/reductions.hpp>
 #include <imbibe/solver/time_step_limits.hpp>
 
 #include <algorithm>
@@ -24,27 +25,14 @@ TimeStepInput limit_input(const Neighbourhood<dim, Real>& scene, int phase) {
 }
 /// The same with what one of them asks for.
 template <int dim, class Real>
-TimeStepInput with_extremes(TimeStepInput in, const PhaseStore<dim, Real>& s, const LimitRow& row) {
-    if (row.greatest >= 0) {
-        const FieldRow& field = s.row->field_at(row.greatest);
-        Real greatest = *s.column(field.first);
-        for (int k = field.first; k < field.first + field.components; ++k)
-            greatest = std::max(greatest, *std::max_element(s.column(k), s.column(k) + s.size()));
-        in.greatest = static_cast<double>(greatest);
-    }
-    if (row.least_trace >= 0) {
-        const auto diagonal = [&](int d, int i) {
-            return s.column(row.least_trace + SymmetricTensor<double, dim>::index(d, d))[i];
-        };
-        Real least = std::numeric_limits<Real>::infinity();
-        for (int i = 0; i < s.size(); ++i) {
-            Real trace = diagonal(0, i);
-            for (int d = 1; d < dim; ++d)
-                trace += diagonal(d, i);
-            least = std::min(least, trace);
-        }
-        in.least_trace = static_cast<double>(least);
-    }
+TimeStepInput with_extremes(TimeStepInput in, const Neighbourhood<dim, Real>& scene, const LimitRow& row) {
+    const auto of = [&](int k) {
+        return reduced(scene.phase(row.phase), scene.reductions[static_cast<std::size_t>(k)], scene.threads);
+    };
+    if (row.greatest >= 0)
+        in.greatest = of(row.greatest);
+    if (row.least >= 0)
+        in.least = of(row.least);
     return in;
 }
 
@@ -74,7 +62,7 @@ std::vector<TimeStepLimit> limits_of(const Neighbourhood<dim, Real>& scene, std:
             break;
         }
         case LimitKind::of_phase:
-            seconds = row.seconds(phase.material, phase.material, phase.material, with_extremes(own, phase, row));
+            seconds = row.seconds(phase.material, phase.material, phase.material, with_extremes(own, scene, row));
             break;
         case LimitKind::of_coupling: {
             const auto& other = scene.phase(row.other);

@@ -1,6 +1,7 @@
 // The linear equation of state: pressure in proportion to the change of density.
 #pragma once
 
+#include <imbibe/state/compression_energy.hpp>
 #include <imbibe/state/wave_speed.hpp>
 
 namespace imbibe {
@@ -24,6 +25,8 @@ struct LinearState {
 
     /// The density at a pressure p, Pa: rho = rho_0 + p/c^2, kg/m^3.
     static double density_at(const auto& material, double p) { return material.density + p / sq(material.sound_speed); }
+
+    using reductions = Parts<CompressionEnergy>;
 
     static constexpr const char* limit_name = "sound";
     static double time_step_limit(const auto& material, const TimeStepInput& in) {

@@ -1,6 +1,7 @@
 // Tait's equation of state: the stiff liquid that stands in for an incompressible one.
 #pragma once
 
+#include <imbibe/state/compression_energy.hpp>
 #include <imbibe/state/wave_speed.hpp>
 
 #include <cmath>
@@ -51,6 +52,8 @@ struct Tait {
         const double stiffness = material.density * sq(material.sound_speed) / exponent;
         return material.density * std::pow(1 + p / stiffness, 1.0 / exponent);
     }
+
+    using reductions = Parts<CompressionEnergy>;
 
     static constexpr const char* limit_name = "sound";
     static double time_step_limit(const auto& material, const TimeStepInput& in) {

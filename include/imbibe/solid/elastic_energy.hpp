@@ -1,0 +1,25 @@
+// What a total-Lagrangian solid stores by its deformation.
+#pragma once
+
+#include <imbibe/core/term.hpp>
+
+namespace imbibe {
+
+/// V psi(F) of a particle, J, with its stress-free volume V and the energy density psi of the law; 0 for a particle
+/// whose deformation was not computed yet.
+/// @tparam Law with `static double stored_energy(const auto& material, const Tensor<double, dim>& F)`, J/m^3
+template <class Law>
+struct ElasticEnergy {
+    using reads = Fields<mass, deformation_gradient>;
+    using reduces = Sum<StoredEnergy>;
+
+    double operator()(const auto& a) const {
+        const auto F = a[deformation_gradient];
+        for (int k = 0; k < F.size; ++k)
+            if (F[k] != 0)
+                return a[mass] / a.material.density * Law::stored_energy(a.material, F);
+        return 0;
+    }
+};
+
+} // namespace imbibe

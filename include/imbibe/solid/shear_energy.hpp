@@ -1,0 +1,21 @@
+// What a solid with a stress rate stores by its shear.
+#pragma once
+
+#include <imbibe/core/term.hpp>
+
+namespace imbibe {
+
+/// (m/rho) S:S/(4 G) of a particle, J, with the deviatoric stress S: for small strains. In two dimensions, plane
+/// strain, with S_zz = -(S_xx + S_yy).
+struct ShearEnergy {
+    using reads = Fields<mass, density, deviatoric_stress>;
+    using reduces = Sum<StoredEnergy>;
+
+    double operator()(const auto& a) const {
+        const auto S = full(a[deviatoric_stress]);
+        const double out_of_plane = std::remove_cvref_t<decltype(a)>::dimension == 2 ? sq(trace(S)) : 0;
+        return a[mass] / a[density] * (trace(S * S) + out_of_plane) / (4 * a.material.shear_modulus);
+    }
+};
+
+} // namespace imbibe
