@@ -29,6 +29,7 @@
                                                    const std::vector<Point<dim>>&, double, double,                     \
                                                    const Origin<dim>&);                                                \
     template void add_particles(PhaseStore<dim, Real>&, const std::vector<Point<dim>>&, double, double);               \
+    template std::vector<Handed> hand_over(PhaseStore<dim, Real>&, PhaseStore<dim, Real>&, const std::vector<char>&);  \
     template OutlineOfScene outline_of(const SceneStore<dim, Real>&, const Origin<dim>&);                              \
     template std::vector<PhasePair> pairs_of_phases(const SceneStore<dim, Real>&);                                     \
     template std::vector<TimeStepLimit> limits_of(const Neighbourhood<dim, Real>&, std::span<const LimitRow>, bool);   \

@@ -96,6 +96,12 @@ public:
         else
             nothing<Scene>(); // that has an error: its loops would have more, and it must not link without them
     }
+    /// The same for phases that have grown, and those that sum over such.
+    template <class What>
+    void run_for_grown() {
+        if constexpr (Scene::valid)
+            Base::run_for_grown(Tables::template pass<What>());
+    }
     /// Keeps a copy of the sums on top of which the pass `What` acts.
     template <class What>
     void keep_sums() {

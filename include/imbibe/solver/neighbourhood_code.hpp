@@ -9,7 +9,7 @@ template <int dim, class Real>
 void Neighbourhood<dim, Real>::find_reference_neighbours() {
     for (std::size_t k = 0; k < phases.size(); ++k) {
         Phase& s = phases[k];
-        if (!s.row->keeps_reference() || s.size() == 0)
+        if (!s.row->keeps_reference() || s.size() == 0 || !s.grown)
             continue;
         const auto places = [&] { return s.points_of(s.row->reference_position); };
         const double reach = s.numbers().support_radius;

@@ -111,6 +111,7 @@ public:
     search::Bounds<dim> bounds;
     bool within_reach = true; ///< of any other, at the last search? If not, the copy and the table are not kept up
     bool disturbed = true;    ///< were particles added or removed since their neighbours were found?
+    bool grown = true;        ///< were some added since what is computed once was?
 
     // ---- what integrators keep of a step's beginning ----
     AlignedVector<Real> remembered; ///< positions, velocities and states, in this order

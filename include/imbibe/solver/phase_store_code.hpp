@@ -12,10 +12,10 @@ void PhaseStore<dim, Real>::resize(int count) {
     note_all_written();
     const std::size_t wanted = stride_for(count);
     if (wanted != step) {
-        AlignedVector<Real> grown(wanted * columns(), Real(0));
+        AlignedVector<Real> larger(wanted * columns(), Real(0));
         for (int k = 0; k < row->components; ++k)
-            std::copy_n(column(k), std::min(n, count), grown.data() + static_cast<std::size_t>(k) * wanted);
-        values.swap(grown);
+            std::copy_n(column(k), std::min(n, count), larger.data() + static_cast<std::size_t>(k) * wanted);
+        values.swap(larger);
         spare.clear();
         image.clear();
         step = wanted;

@@ -5,6 +5,7 @@
 #include <imbibe/geometry/point.hpp>
 #include <imbibe/solver/neighbourhood.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,16 @@ std::vector<Point<dim>> places_of_new(const Neighbourhood<dim, Real>& scene, int
 /// material, kg/m^3, and a mass of density * spacing^dim; all else is zero.
 template <int dim, class Real>
 void add_particles(PhaseStore<dim, Real>& phase, const std::vector<Point<dim>>& places, double density, double spacing);
+
+/// A particle that was handed over: its numbers (`ids`) in the phase that it left and in the one that it came to.
+struct Handed {
+    std::uint32_t before, now;
+};
+/// Takes particles out of one phase and adds them to another, with all fields that both have by name, unit and rank;
+/// what only the other one has begins as with particles that are added. The density keeps its ratio to that at rest.
+/// @throws Error where the other phase has not been given its material
+template <int dim, class Real>
+std::vector<Handed> hand_over(PhaseStore<dim, Real>& from, PhaseStore<dim, Real>& to, const std::vector<char>& which);
 
 } // namespace imbibe::detail
 

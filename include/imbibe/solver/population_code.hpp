@@ -33,9 +33,9 @@ void require_supports_of_terms(const Neighbourhood<dim, Real>& scene) {
         const LinkRow& row = link.row;
         if (row.support_of_term == nullptr || scene.phase(row.a).size() == 0 || scene.phase(row.b).size() == 0)
             continue;
-        const std::string name = text(
-            row.coupling < 0 ? scene.phase(row.a).name : scene.coupling_names[static_cast<std::size_t>(row.coupling)],
-            ", ", row.term());
+        const std::string name = text(row.coupling < 0 ? scene.phase(row.a).name
+                                                       : scene.coupling_names[static_cast<std::size_t>(row.coupling)],
+                                      ", ", row.term());
         const double support = scene.support_of(row);
         require(std::isfinite(support) && support > 0, name, ": the term reaches ", support,
                 " m; it must reach a finite number above 0 m, by its coefficients and the particle spacing");
@@ -88,24 +88,69 @@ std::vector<Point<dim>> places_of_new(const Neighbourhood<dim, Real>& scene, int
     return places;
 }
 
+// Particles from `before` on are free of stress and not held, with the density of their material and the mass of a
+// cell.
+template <int dim, class Real>
+void set_up_new(PhaseStore<dim, Real>& phase, int before, double density, double spacing) {
+    const PhaseRow& row = *phase.row;
+    const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
+    const auto set = [&](int column, double value) {
+        if (column >= 0)
+            std::fill(phase.column(column) + before, phase.column(column) + phase.size(), static_cast<Real>(value));
+    };
+    set(row.mass, density * cell);
+    set(row.density, density);
+    set(row.mobility, 1);
+    phase.grown = true;
+}
+
 template <int dim, class Real>
 void add_particles(PhaseStore<dim, Real>& phase, const std::vector<Point<dim>>& places, double density,
                    double spacing) {
     const PhaseRow& row = *phase.row;
     const int before = phase.size(), after = before + static_cast<int>(places.size());
     phase.resize(after);
-    const double cell = dim == 2 ? spacing * spacing : spacing * spacing * spacing;
-    const auto set = [&](int column, double value) {
-        if (column >= 0)
-            std::fill(phase.column(column) + before, phase.column(column) + after, static_cast<Real>(value));
-    };
-    set(row.mass, density * cell);
-    set(row.density, density);
-    set(row.mobility, 1);
+    set_up_new(phase, before, density, spacing);
     for (int first : {row.position, row.reference_position})
         for (int d = 0; d < dim && first >= 0; ++d)
             for (int i = before; i < after; ++i)
                 phase.column(first + d)[i] = static_cast<Real>(places[static_cast<std::size_t>(i - before)][d]);
+}
+
+template <int dim, class Real>
+std::vector<Handed> hand_over(PhaseStore<dim, Real>& from, PhaseStore<dim, Real>& to, const std::vector<char>& which) {
+    const PhaseNumbers before = from.numbers(), now = to.numbers();
+    require(now.spacing > 0, to.name, " is to get particles of ", from.name,
+            " and was not given its material; add none of it: scene.add(", to.name, "{{...}}, {}, ", before.spacing,
+            ")");
+    std::vector<char> stays(which.size(), 1);
+    std::vector<int> leaving;
+    for (std::size_t i = 0; i < which.size(); ++i)
+        if (which[i]) {
+            stays[i] = 0;
+            leaving.push_back(static_cast<int>(i));
+        }
+    if (leaving.empty())
+        return {};
+    const int first = to.size();
+    to.resize(first + static_cast<int>(leaving.size()));
+    set_up_new(to, first, now.density, now.spacing);
+    for (const FieldRow& field : to.row->fields)
+        for (const FieldRow& other : from.row->fields)
+            if (field.name == other.name && field.unit == other.unit && field.components == other.components)
+                for (int k = 0; k < field.components; ++k)
+                    for (std::size_t i = 0; i < leaving.size(); ++i)
+                        to.column(field.first + k)[static_cast<std::size_t>(first) + i] =
+                            from.column(other.first + k)[leaving[i]];
+    const Real ratio = static_cast<Real>(now.density / before.density);
+    for (const int column : {to.row->density, to.row->density_rate})
+        for (int i = first; i < to.size() && column >= 0; ++i)
+            to.column(column)[i] *= ratio;
+    std::vector<Handed> handed;
+    for (std::size_t i = 0; i < leaving.size(); ++i)
+        handed.push_back({from.ids[static_cast<std::size_t>(leaving[i])], to.ids[static_cast<std::size_t>(first) + i]});
+    from.compress(stays);
+    return handed;
 }
 
 } // namespace imbibe::detail

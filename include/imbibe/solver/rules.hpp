@@ -47,6 +47,7 @@ struct list_the_term_Clamped_in_the_phase;
 struct remove_particles_of_other_phases_only;
 struct give_the_term_to_the_phase_or_use_current_neighbours;
 struct write_static_Prepared_prepare_of_a_material_or_two_and_a_Lattice;
+struct take_a_solid_with_a_stress_rate;
 struct remove_its_support_radius_or_use_current_neighbours;
 struct write_static_double_support_radius_of_a_material_or_of_two;
 struct make_one_of_the_two_terms_read_something_else;
@@ -251,6 +252,11 @@ struct HeldWithoutClamped {
 template <class Phase, class Advice>
 struct RemovedFromReference {
     static_assert(never<Phase>, "imbibe: the particles of a total-Lagrangian phase cannot be removed");
+};
+/// Rule: what is handed over to a solid has no stress-free place in it.
+template <class Phase, class Advice>
+struct HandedToReference {
+    static_assert(never<Phase>, "imbibe: particles cannot be handed over to a total-Lagrangian phase");
 };
 /// Rule: a sum over the neighbours of the stress-free configuration is one within a phase.
 template <class Term, class Coupling, class Advice>

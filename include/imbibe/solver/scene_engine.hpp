@@ -29,6 +29,8 @@ public:
 
     /// Evaluates terms in the order of their plan. `dt` is by how much states are advanced, s.
     void run(const Pass<dim, Real>& pass, double dt);
+    /// The same for phases that have grown, and those that sum over such: for what is computed once.
+    void run_for_grown(const Pass<dim, Real>& pass);
 
 private:
     // Sums start from zero, the acceleration from gravity.

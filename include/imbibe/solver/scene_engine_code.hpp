@@ -22,6 +22,27 @@ void SceneEngine<dim, Real>::run(const Pass<dim, Real>& pass, double dt) {
 }
 
 template <int dim, class Real>
+void SceneEngine<dim, Real>::run_for_grown(const Pass<dim, Real>& pass) {
+    std::vector<char> concerned;
+    for (const Phase& s : this->phases)
+        concerned.push_back(s.grown);
+    const auto is = [&](int phase) -> char& { return concerned[static_cast<std::size_t>(phase)]; };
+    for (std::size_t k = 0; k < pass.loops.size(); ++k) // one more of them in every round
+        for (const Loop<dim, Real>& loop : pass.loops)
+            for (const int link : loop.links)
+                is(loop.phase) = is(loop.phase) || is(this->link_at(link).row.b);
+    step_length = 0;
+    for (const ColumnRange& range : pass.cleared)
+        if (is(range.phase))
+            clear(range);
+    for (const Loop<dim, Real>& loop : pass.loops)
+        if (is(loop.phase))
+            run(loop);
+    for (Phase& s : this->phases)
+        s.grown = false;
+}
+
+template <int dim, class Real>
 void SceneEngine<dim, Real>::clear(const ColumnRange& range) {
     Phase& s = this->phase(range.phase);
     const auto block = [&](int begin, int end) {

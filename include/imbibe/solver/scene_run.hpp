@@ -62,7 +62,8 @@ public:
     void shorten_steps(double share);
     /// The product of all shares by which steps were shortened.
     double shortened() const { return shortened_; }
-    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once. The
+    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once: before the
+    /// first step of all phases, later of those to which particles were added, and of those that sum over them. The
     /// first step does it by itself, and once more where somebody had a view to write since.
     /// @throws Error for a scene without particles or coefficients out of range
     void prepare();
@@ -100,7 +101,11 @@ public:
         archive(last_step_.where);
         if constexpr (Archive::reading) {
             scale_steps(shortened);
+            for (auto& s : engine.phases)
+                s.grown = true;
             engine.find_reference_neighbours();
+            for (auto& s : engine.phases)
+                s.grown = false;
             prepared_ = true;
             engine.search_neighbours();
             watch_.start_anew(engine, settings_.origin, time_, warnings_);

@@ -87,6 +87,8 @@ void SceneRun<dim, Real>::prepare() {
     const bool anew = !prepared_ || changed;
     if (anew) {
         require(particles() > 0, "the scene has no particles; add some before the first step");
+        for (auto& s : engine.phases) // before the first step coefficients may have changed, too
+            s.grown = s.grown || steps_ == 0;
         engine.find_reference_neighbours();
     }
     engine.search_neighbours();

@@ -9,6 +9,7 @@
 #include <imbibe/solver/scene_checks.hpp>
 #include <imbibe/solver/scene_run.hpp>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -99,22 +100,38 @@ public:
         }
         return number;
     }
-    /// Removes the particles of a phase whose position fulfils `gone`. Returns how many they were.
+    /// Removes the particles of a phase that `gone` chooses, by their position, gone(x), or by the view of the phase
+    /// and their index in it, gone(view, i). Returns how many they were. Views end here.
     template <class P, class Gone>
-    int remove_if(PhaseHandle<P>, const Gone& gone) {
+    int remove_if(PhaseHandle<P> handle, const Gone& gone) {
         if constexpr (State<P>::keeps_reference)
             detail::break_rule<rules::RemovedFromReference<P, remove_particles_of_other_phases_only>>();
-        const auto s = find_phase<P>(engine_);
-        std::vector<char> keep(static_cast<std::size_t>(s.size()), 1);
-        int removed = 0;
-        for (int i = 0; i < s.size(); ++i)
-            if (gone(position_of(s, i))) {
-                keep[static_cast<std::size_t>(i)] = 0;
-                ++removed;
-            }
+        std::vector<char> stays = chosen(handle, gone);
+        for (char& one : stays)
+            one = !one;
+        const auto removed = std::count(stays.begin(), stays.end(), 0);
         if (removed > 0)
-            s.store.compress(keep);
-        return removed;
+            find_phase<P>(engine_).store.compress(stays);
+        return static_cast<int>(removed);
+    }
+    /// Hands particles of a phase over to another one, with all fields that both have by name, unit and rank, such as
+    /// position, velocity, mass and those of one's own: water that freezes. What only the other one has begins as with
+    /// particles that are added. The density keeps its ratio to that at rest, so the volume changes where that differs.
+    /// Chosen as by remove_if; views end here. Of a phase that is to begin without particles give the material:
+    /// `scene.add(Ice{{...}}, {}, spacing)`.
+    /// @return the numbers (`ids`) of each particle in the phase that it left and in the one that it came to
+    /// @throws Error where the other phase has no material
+    template <class P, class Q, class Which>
+    std::vector<detail::Handed> hand_over(PhaseHandle<P> from, PhaseHandle<Q>, const Which& which) {
+        if constexpr (State<P>::keeps_reference)
+            detail::break_rule<rules::RemovedFromReference<P, remove_particles_of_other_phases_only>>();
+        if constexpr (State<Q>::keeps_reference)
+            detail::break_rule<rules::HandedToReference<Q, take_a_solid_with_a_stress_rate>>();
+        auto handed =
+            detail::hand_over(find_phase<P>(engine_).store, find_phase<Q>(engine_).store, chosen(from, which));
+        if (!handed.empty())
+            this->added();
+        return handed;
     }
     /// The coefficients of a coupling, to read or to change: `scene.coupling<Contact>().set(...)`.
     template <class C>
@@ -201,7 +218,7 @@ private:
     }
     void check_numbers() const override { detail::check_numbers_of(engine_); }
     void prepare_terms() override { detail::prepare_terms_of(engine_); }
-    void evaluate_once() override { engine_.template run<typename Scene::Once>(0); }
+    void evaluate_once() override { engine_.template run_for_grown<typename Scene::Once>(); }
     void start_steps() override {
         if constexpr (steps_are_defined && requires { Integrator::start(engine_); })
             Integrator::start(engine_);
@@ -232,6 +249,19 @@ private:
             return &engine.template coupling<C>();
         else
             return &detail::nothing<C>();
+    }
+    // Which particles are chosen, by position or by view and index.
+    template <class P, class Which>
+    std::vector<char> chosen(PhaseHandle<P> handle, const Which& which) {
+        const auto s = find_phase<P>(engine_);
+        const auto view = std::as_const(*this)[handle];
+        std::vector<char> all(static_cast<std::size_t>(s.size()));
+        for (int i = 0; i < s.size(); ++i)
+            if constexpr (std::is_invocable_v<const Which&, decltype(view), int>)
+                all[static_cast<std::size_t>(i)] = which(view, i);
+            else
+                all[static_cast<std::size_t>(i)] = which(position_of(s, i));
+        return all;
     }
     // A particle's place in the coordinates of the world.
     template <class S>

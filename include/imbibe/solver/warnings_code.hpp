@@ -169,7 +169,7 @@ void note_doubts_of_scene(Warnings& warnings, const Neighbourhood<dim, Real>& sc
     for (std::size_t k = 0; k < scene.phases.size(); ++k) {
         const int phase = static_cast<int>(k);
         const Outline& a = outline[phase];
-        if (a.size() == 0)
+        if (a.size() == 0 && scene.phases[k].numbers().spacing == 0) // none were added, not even on purpose
             warnings.note(text(a.name, " has no particles; was scene.add forgotten?"));
         warnings.note(warning_of_soft_fluid(scene, phase, outline));
         warnings.note(warning_of_no_shifting(scene, phase));
