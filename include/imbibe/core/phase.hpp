@@ -185,11 +185,26 @@ struct CoefficientsIn<TypeList<T...>> {
 };
 } // namespace detail
 
+/// How the particles of a phase move: as the forces on them say. Fluids and solids.
+struct Free {};
+/// With the velocity that a term sets (by `a.time`, say) or a program writes: the integrator advances their positions by it,
+/// and no force does. `struct Paddle : Wall<...> { using motion = Prescribed; };`
+struct Prescribed {};
+/// Not at all, unless a program writes their positions, and their velocities with them. Walls.
+struct Placed {};
+
+namespace detail {
+/// Does the integrator advance the positions of phase P?
+template <class P>
+inline constexpr bool drifts = !std::is_same_v<typename P::motion, Placed>;
+} // namespace detail
+
 /// A fluid: its material and, as template arguments, its terms and methods.
 template <class... Terms>
 struct Fluid {
     using written = TypeList<Terms...>;                     ///< as it stands in the program
     using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
+    using motion = Free;                                    ///< how its particles move
     static constexpr bool moves = true;
 
     double density = required;     ///< reference density rho_0, kg/m^3
@@ -218,6 +233,7 @@ template <class... Terms>
 struct Solid {
     using written = TypeList<Terms...>;                     ///< as it stands in the program
     using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
+    using motion = Free;                                    ///< how its particles move
     static constexpr bool moves = true;
 
     double density = required;       ///< density of the stress-free solid, kg/m^3
@@ -262,12 +278,14 @@ struct Solid {
     }
 };
 
-/// A wall: particles that no force moves, with the terms they need to push on a fluid. A program may move them: it
-/// writes both positions and velocities in every step, for the fluid's pressure follows from the velocities.
+/// A wall: particles that no force moves, with the terms they need to push on a fluid. It rests, moves with a velocity that
+/// a term sets or a program writes (`using motion = Prescribed;`), or is where a program puts it: that writes positions
+/// and velocities in every step, for the fluid's pressure follows from the velocities.
 template <class... Terms>
 struct Wall {
     using written = TypeList<Terms...>;                     ///< as it stands in the program
     using terms = typename detail::TermsIn<Terms...>::type; ///< without methods
+    using motion = Placed;                                  ///< how its particles move; see Prescribed
     static constexpr bool moves = false;
 
     double density = required; ///< density the wall shows to the fluid (the fluid's own), kg/m^3

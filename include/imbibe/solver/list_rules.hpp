@@ -26,8 +26,17 @@ private:
         if constexpr (!IsPhase<Item> && !IsCoupling<Item>)
             return break_rule<
                 rules::NotAPhaseOrCoupling<Item, list_structs_derived_from_Fluid_Solid_Wall_or_Coupling>>();
+        else if constexpr (has_motion_of_another_kind<Item>())
+            return break_rule<rules::MotionOfAnotherKind<Item, derive_the_phase_from_Wall_to_prescribe_its_motion>>();
         else
             return true;
+    }
+    template <class Item>
+    static constexpr bool has_motion_of_another_kind() {
+        if constexpr (IsPhase<Item>)
+            return Item::moves != std::is_same_v<typename Item::motion, Free>;
+        else
+            return false;
     }
     template <class P>
     static constexpr bool check_listed_once() {

@@ -59,6 +59,7 @@ public:
                                   .components = component_count<dim, Fields>,
                                   .first_bit = Scene::starts[static_cast<std::size_t>(Scene::template phase_index<P>)],
                                   .moves = P::moves,
+                                  .drifts = drifts<P>,
                                   .fluid = is_fluid<P>,
                                   .position = column<Position>,
                                   .reference_position = column<ReferencePosition>,

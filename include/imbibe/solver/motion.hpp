@@ -51,7 +51,7 @@ public:
     /// velocity += dt * acceleration, for what moves and is not held, of the phases that are chosen; measures the
     /// motion.
     void kick(double dt, const Bits& chosen = all_phases);
-    /// position += dt * (velocity + transport correction), for the same.
+    /// position += dt * (velocity + transport correction), for the same and for what moves as prescribed.
     void drift(double dt, const Bits& chosen = all_phases);
 
     /// Keeps a copy of all that is integrated: positions, velocities, states. For integrators with several stages.
@@ -78,7 +78,7 @@ private:
     static constexpr Bits all_phases{{~0ull, ~0ull, ~0ull, ~0ull}};
 
     static std::size_t columns_remembered(const Phase& s) {
-        std::size_t columns = s.row->moves ? 2 * dim : 0;
+        std::size_t columns = (s.row->drifts ? dim : 0) + (s.row->moves ? dim : 0);
         for (const StateRow& state : s.row->states)
             columns += static_cast<std::size_t>(state.components);
         return columns;
@@ -107,8 +107,11 @@ private:
     Motion advance_velocities(Phase& s, const Real* old, double dt) const;
     template <bool has_mobility, bool has_share>
     Motion advance_velocities(Phase& s, const Real* old, double dt) const;
-    // With a transport correction it is not known how far it was: then neighbours are found anew in every step.
+    // With a transport correction it is not known how far it was: then neighbours are found anew in every step. How far
+    // walls were is seen by their places.
     static void note_way(Phase& s, double dt) {
+        if (!s.row->moves)
+            return;
         if (s.row->transport_correction >= 0)
             s.travelled = std::numeric_limits<double>::infinity();
         else

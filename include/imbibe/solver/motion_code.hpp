@@ -15,7 +15,7 @@ void Mover<dim, Real>::kick(double dt, const Bits& chosen) {
 template <int dim, class Real>
 void Mover<dim, Real>::drift(double dt, const Bits& chosen) {
     for (std::size_t k = 0; k < phases.size(); ++k)
-        if (Phase& s = phases[k]; s.row->moves && chosen.test(static_cast<int>(k))) {
+        if (Phase& s = phases[k]; s.row->drifts && chosen.test(static_cast<int>(k))) {
             advance_positions(s, s.column(s.row->position), dt);
             note_way(s, dt);
         }
@@ -31,10 +31,10 @@ void Mover<dim, Real>::remember() {
         };
         s.remembered.resize(s.stride() * columns_remembered(s));
         to = s.remembered.data();
-        if (s.row->moves) {
+        if (s.row->drifts)
             copy(s.row->position, dim);
+        if (s.row->moves)
             copy(s.row->velocity, dim);
-        }
         for (const StateRow& state : s.row->states)
             copy(state.first, state.components);
     }
@@ -45,10 +45,12 @@ void Mover<dim, Real>::advance_remembered(double dt) {
     for (std::size_t k = 0; k < phases.size(); ++k) {
         Phase& s = phases[k];
         const Real* old = s.remembered.data();
-        if (s.row->moves) { // positions first: they need the velocities as they are
+        if (s.row->drifts) { // positions first: they need the velocities as they are
             advance_positions(s, old, dt);
             note_way(s, dt);
             old += dim * s.stride();
+        }
+        if (s.row->moves) {
             s.motion = advance_velocities(s, old, dt);
             old += dim * s.stride();
         }

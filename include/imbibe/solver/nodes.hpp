@@ -17,6 +17,7 @@ template <class T>
 concept IsPhase = !IsCoupling<T> && requires {
     typename T::terms;
     T::moves;
+    typename T::motion;
 };
 
 /// A coupling of two phases; of anything else nothing is made.
@@ -163,8 +164,7 @@ template <int dim, class N, class... K>
 consteval bool already_there(TypeList<K...>) {
     if constexpr (is_pair_node<dim, N>)
         return ((std::is_same_v<typename N::Part, typename K::Part> && std::is_same_v<typename N::A, typename K::A> &&
-                 std::is_same_v<typename N::B, typename K::B> &&
-                 std::is_same_v<typename N::Owner, typename K::Owner> &&
+                 std::is_same_v<typename N::B, typename K::B> && std::is_same_v<typename N::Owner, typename K::Owner> &&
                  std::is_same_v<typename N::Reach, typename K::Reach>) ||
                 ...);
     else
@@ -267,8 +267,10 @@ template <int dim, class P, class Nodes>
 struct CollectFields;
 template <int dim, class P, class... N>
 struct CollectFields<dim, P, TypeList<N...>> {
-    // Everything has a position and a mass; what moves has a velocity and an acceleration.
-    using Base = std::conditional_t<P::moves, Fields<position, velocity, acceleration, mass>, Fields<position, mass>>;
+    // Everything has a position and a mass; what moves has a velocity and, by forces, an acceleration.
+    using Base =
+        std::conditional_t<P::moves, Fields<position, velocity, acceleration, mass>,
+                           std::conditional_t<drifts<P>, Fields<position, velocity, mass>, Fields<position, mass>>>;
     using type = Unique<
         Concat<Base, typename StoredByTerms<P, typename P::terms>::type, typename FieldsFromNode<dim, P, N>::type...>>;
 };

@@ -216,6 +216,7 @@ class RowsOfTerms {
     static constexpr Bits find_others() {
         constexpr auto rows = rows_of_others(typename Scene::StepRows{});
         constexpr Bits motion = columns_of<Rate<Velocity>>(typename Scene::Phases{}) |
+                                columns_of<Velocity>(typename Scene::Phases{}) |
                                 columns_of<TransportCorrection>(typename Scene::Phases{});
         Bits chosen;
         for (std::size_t k = 0; k < rows.size(); ++k)

@@ -48,6 +48,7 @@ struct remove_particles_of_other_phases_only;
 struct give_the_term_to_the_phase_or_use_current_neighbours;
 struct write_static_Prepared_prepare_of_a_material_or_two_and_a_Lattice;
 struct take_a_solid_with_a_stress_rate;
+struct derive_the_phase_from_Wall_to_prescribe_its_motion;
 struct remove_its_support_radius_or_use_current_neighbours;
 struct write_static_double_support_radius_of_a_material_or_of_two;
 struct make_one_of_the_two_terms_read_something_else;
@@ -272,6 +273,11 @@ struct OwnSupportOfReferenceNeighbours {
 template <class Term, class Owner, class Advice>
 struct SupportRadiusNotUsable {
     static_assert(never<Term>, "imbibe: this term's support_radius cannot be asked for");
+};
+/// Rule: fluids and solids move freely, walls as prescribed or not at all.
+template <class Phase, class Advice>
+struct MotionOfAnotherKind {
+    static_assert(never<Phase>, "imbibe: fluids and solids are Free, walls are Placed or Prescribed");
 };
 /// Rule: phases are told apart by their type, so each appears once.
 template <class Phase, class Advice>

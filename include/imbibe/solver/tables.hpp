@@ -46,7 +46,8 @@ struct PhaseRow {
     std::span<const StateRow> states;
     int components = 0; ///< how many columns it has
     int first_bit = 0;  ///< its fields are the bits from there on in the sets of a loop
-    bool moves = false; ///< by itself, or is it a wall
+    bool moves = false;  ///< by forces, or is it a wall
+    bool drifts = false; ///< are its positions advanced by its velocity?
     bool fluid = false;
     int position = -1, reference_position = -1, velocity = -1, acceleration = -1, mass = -1;
     int density = -1, density_rate = -1, mobility = -1, transport_correction = -1, supported_share = -1;
