@@ -138,7 +138,8 @@ def faults_of_the_list(text):
         with open(path) as file:
             public = re.sub(r"(?ms)^namespace detail \{.*?^\} // namespace detail$", "", file.read())
             for name, body in re.findall(r"^struct (\w+)[^\n]*\{\n(.*?)^\};", public, re.MULTILINE | re.DOTALL):
-                is_term = re.search(r"^    using (?:parts|reads|adds|sets|stores) =", body, re.MULTILINE)
+                is_term = re.search(r"^    using (?:parts|reads|adds|sets|stores) =", body, re.MULTILINE) and \
+                    not re.search(r"^    using reduces =", body, re.MULTILINE)
                 if is_term and not re.search(rf"`{name}\b", text):
                     yield f"does not have {name}"
 

@@ -21,7 +21,11 @@ struct GradientCorrection : Field<Rank::symmetric_tensor> {
 };
 inline constexpr GradientCorrection gradient_correction{};
 
-/// The greatest component of any L_a, on which limits on the step depend.
+/// The greatest component of any L_a, on which limits on the step depend. A reduction of terms that correct gradients.
+///
+/// Not the greatest eigenvalue, which is up to the dimension times as much.
+///
+/// Source: own, fitted where it is used (CorrectedPressure).
 struct GreatestCorrection {
     using reads = Fields<gradient_correction>;
     using reduces = Max<GradientCorrection>;

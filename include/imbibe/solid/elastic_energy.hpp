@@ -6,7 +6,11 @@
 namespace imbibe {
 
 /// V psi(F) of a particle, J, with its stress-free volume V and the energy density psi of the law; 0 for a particle
-/// whose deformation was not computed yet.
+/// whose deformation was not computed yet. A reduction of the laws of total-Lagrangian solids.
+///
+/// Not with the energy of HourglassControl, which is its own.
+///
+/// Source: that of the law.
 /// @tparam Law with `static double stored_energy(const auto& material, const Tensor<double, dim>& F)`, J/m^3
 template <class Law>
 struct ElasticEnergy {

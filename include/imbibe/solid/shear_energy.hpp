@@ -5,8 +5,12 @@
 
 namespace imbibe {
 
-/// (m/rho) S:S/(4 G) of a particle, J, with the deviatoric stress S: for small strains. In two dimensions, plane
-/// strain, with S_zz = -(S_xx + S_yy).
+/// (m/rho) S:S/(4 G) of a particle, J, with the deviatoric stress S. In two dimensions, plane strain, with
+/// S_zz = -(S_xx + S_yy). A reduction of the stress rates.
+///
+/// Not for large strains, where a stress rate has no energy.
+///
+/// Source: linear elasticity, Landau and Lifshitz (1986), section 4.
 struct ShearEnergy {
     using reads = Fields<mass, density, deviatoric_stress>;
     using reduces = Sum<StoredEnergy>;

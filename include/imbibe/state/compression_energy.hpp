@@ -5,7 +5,11 @@
 
 namespace imbibe {
 
-/// m c^2 (rho/rho_0 - 1)^2/2 of a particle, J: what the linear equation of state stores, and any other near rho_0.
+/// m c^2 (rho/rho_0 - 1)^2/2 of a particle, J: what an equation of state stores near rho_0. A reduction of them.
+///
+/// Not far from rho_0: at 10 % of compression it is 14 % more than what LinearState stores.
+///
+/// Source: the work of the pressure c^2 (rho - rho_0), to second order.
 struct CompressionEnergy {
     using reads = Fields<mass, density>;
     using reduces = Sum<StoredEnergy>;
