@@ -15,6 +15,7 @@
 #define IMBIBE_ENGINE(dim, Real)                                                                                       \
     namespace imbibe::detail {                                                                                         \
     template class PhaseStore<dim, Real>;                                                                              \
+    template class Seen<dim, Real>;                                                                                    \
     template class SceneStore<dim, Real>;                                                                              \
     template class Neighbourhood<dim, Real>;                                                                           \
     template class Mover<dim, Real>;                                                                                   \

@@ -41,8 +41,8 @@ public:
                 for (int k = fields[f].first; k < fields[f].first + fields[f].components; ++k) {
                     if (!own && !near)
                         poison(poisoned, phase.column(k), phase.stride());
-                    if (phase.row->keeps_reference() && phase.image_column(k) != nullptr && !near)
-                        poison(poisoned, const_cast<Real*>(phase.image_column(k)), phase.stride());
+                    if (const Real* const seen = scene.seen_of(p).column(k); seen != nullptr && !near)
+                        poison(poisoned, const_cast<Real*>(seen), phase.stride());
                 }
             }
         }

@@ -131,7 +131,7 @@ private:
         SourceData<dim, typename Scene::template FieldsOf<B>, Real, width> source{};
         for (std::size_t k = 0; k < source.columns.size(); ++k)
             if constexpr (Scene::template keeps_reference<B> && !S::reference)
-                source.columns[k] = b.image_column(static_cast<int>(k));
+                source.columns[k] = engine.seen_of(Scene::template phase_index<B>).column(static_cast<int>(k));
             else
                 source.columns[k] = b.column(static_cast<int>(k));
         source.runs = &link.runs;
@@ -178,8 +178,9 @@ private:
             const OwnView<P, OwnFields, dim, T> a{own, material, gravity_now, step_length, time};
             (gather<S, typename Scene::template FieldsOf<typename S::B>, P, Fields>(
                  Filter<NodesFrom<S>::template Keep, Nodes>{},
-                 std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, decltype(parts)>>>{}, sums, s, a,
-                 std::get<k>(sources), supports[k], std::get<k>(others), i, walks[k].next(), std::get<k>(parts)),
+                 std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, decltype(parts)>>>{}, sums, s,
+                 engine.seen_of(phase), a, std::get<k>(sources), supports[k], std::get<k>(others), i, walks[k].next(),
+                 std::get<k>(parts)),
              ...);
             store(s, i, sums, Adds{});
         }

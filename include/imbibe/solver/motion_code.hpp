@@ -63,7 +63,7 @@ void Mover<dim, Real>::advance_remembered(double dt) {
         for (const StateRow& state : s.row->states)
             s.note_written(state.first);
         s.pad();
-        this->copy_places_to_image(s);
+        this->refresh_seen_places(static_cast<int>(k));
     }
 }
 

@@ -92,10 +92,10 @@ protected:
     /// that are held, which rest; and where there are neither, that of the mean of all that moves. Once a step, so that
     /// the speeds of all phases belong to one frame; what moves by itself is taken as it was after the last step.
     void choose_frame();
-    /// Brings the positions in the copy through which others see a total-Lagrangian phase up to date, if any can.
-    void copy_places_to_image(Phase& s) {
-        if (s.row->keeps_reference() && s.within_reach)
-            s.copy_places_to_image(this->threads);
+    /// Brings what others see of the positions of a total-Lagrangian phase up to date, if any can.
+    void refresh_seen_places(int k) {
+        if (const Phase& s = phase(k); s.row->keeps_reference() && s.within_reach)
+            this->seen_of(k).refresh_places(s, this->threads);
     }
 
 private:
@@ -127,7 +127,7 @@ private:
     // Periodic sides: particles that leave on one side come back on the other.
     void wrap(Phase& s) const;
     search::Bounds<dim> wrapped(search::Bounds<dim> b) const;
-    void sort(Phase& s);
+    void sort(int k);
 };
 
 } // namespace imbibe::detail

@@ -45,9 +45,9 @@ void Neighbourhood<dim, Real>::find_neighbours() {
 
 template <int dim, class Real>
 void Neighbourhood<dim, Real>::refresh_places() {
-    for (Phase& s : phases) {
-        copy_places_to_image(s);
-        s.pad();
+    for (std::size_t k = 0; k < phases.size(); ++k) {
+        refresh_seen_places(static_cast<int>(k));
+        phases[k].pad();
     }
 }
 
@@ -55,7 +55,7 @@ template <int dim, class Real>
 void Neighbourhood<dim, Real>::refresh_places_among(int k) {
     if (std::any_of(links.begin(), links.end(),
                     [&](const Link& link) { return !link.row.reference && link.row.a == k && link.row.b == k; }))
-        copy_places_to_image(phase(k));
+        refresh_seen_places(k);
 }
 
 template <int dim, class Real>
@@ -107,7 +107,7 @@ void Neighbourhood<dim, Real>::search_neighbours() {
         Phase& s = phases[k];
         s.within_reach = is_near_any(static_cast<int>(k));
         if (s.within_reach)
-            sort(s);
+            sort(static_cast<int>(k));
         if (!s.row->moves && search_interval > 1)
             s.remember_places();
         s.disturbed = false;
@@ -122,7 +122,7 @@ void Neighbourhood<dim, Real>::search_neighbours() {
         if (a.bounds.far_from(b.bounds, reach_of(link.support), this->periodic))
             link.runs.clear_all(a.size());
         else
-            search::find_runs<Base::width>(link.runs, a.points(), b.seen_points(), grid, b.table,
+            search::find_runs<Base::width>(link.runs, a.points(), this->seen_points(link.row.b), grid, b.table,
                                            reach_of(link.support), this->threads);
     }
     measure_nearest();
@@ -150,8 +150,8 @@ typename Neighbourhood<dim, Real>::Pairs Neighbourhood<dim, Real>::pairs_of(cons
         return {link.runs, a.points_of(a.row->reference_position), b.points_of(b.row->reference_position),
                 this->periodic, nullptr};
     // a total-Lagrangian phase is not wrapped
-    return {link.runs, a.points(), b.seen_points(), this->periodic,
-            a.row->keeps_reference() && this->any_periodic() ? &a.periods_outside : nullptr};
+    return {link.runs, a.points(), this->seen_points(link.row.b), this->periodic,
+            a.row->keeps_reference() && this->any_periodic() ? &this->seen_of(link.row.a).periods_outside() : nullptr};
 }
 
 template <int dim, class Real>
@@ -266,9 +266,10 @@ search::Bounds<dim> Neighbourhood<dim, Real>::wrapped(search::Bounds<dim> b) con
 }
 
 template <int dim, class Real>
-void Neighbourhood<dim, Real>::sort(Phase& s) {
+void Neighbourhood<dim, Real>::sort(int k) {
+    Phase& s = phase(k);
     if (s.row->keeps_reference())
-        s.sort_image(grid, this->periodic, this->threads);
+        this->seen_of(k).sort(s, grid, this->periodic, this->threads);
     else if (!s.table.sort(grid, s.points(), this->threads))
         s.reorder(s.table.order(), this->threads);
 }

@@ -1,6 +1,6 @@
-// The particles of one phase: one stretch of memory per component of each field (structure of arrays), the order in
-// which they lie there, and the sorted copy through which others see a phase that stays in its own order. Which column
-// is what says the phase's row in the tables of the scene.
+// The particles of one phase: one stretch of memory per component of each field (structure of arrays), and the order in
+// which they lie there. Which column is what says the phase's row in the tables of the scene. What others see of a phase
+// that stays in its own order is in seen.hpp.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -78,38 +78,35 @@ public:
     /// How far the particle is that has moved farthest since, m.
     double farthest_since(int threads) const;
 
-    // ---- the sorted copy through which others see a phase that keeps its reference order ----
-    /// Where others see coordinate d of particle i, if the phase keeps its reference order, m.
-    IMBIBE_INLINE Real seen_at(int d, int i) const {
-        const Real x = column(row->position + d)[i];
-        const auto& outside = periods_outside[static_cast<std::size_t>(d)];
-        return outside.empty() ? x : x - outside[static_cast<std::size_t>(i)];
+    // ---- what was written ----
+    /// The field that begins at a column has been written: who holds a copy of it copies it anew.
+    void note_written(int first) {
+        for (std::size_t k = 0; k < writes_.size(); ++k)
+            if (row->fields[k].first == first)
+                ++writes_[k];
     }
-    /// Sorts the copy by the cells of a grid. Fields in it stay up to date where the order is what it was.
-    void sort_image(const search::Grid<dim>& grid, const search::Periodic<dim>& periodic, int threads);
-    /// Brings the positions in the copy up to date.
-    void copy_places_to_image(int threads);
-    /// Brings field k of the phase, which is not its position, up to date in the copy, if it is not.
-    void refresh_in_image(int k, int threads);
-    /// The copy of the field that begins at a column may differ from it now.
-    void note_written(int first);
     /// The same for all fields.
-    void note_all_written() { fresh = {}; }
-    search::Points<dim, Real> image_points() const { return points_in(image, row->position); }
-    /// Column k of the copy, to read; null before the first search that finds others within reach.
-    const Real* image_column(int k) const {
-        return image.empty() ? nullptr : image.data() + static_cast<std::size_t>(k) * step;
-    }
-    /// The points of the phase as others see it: in the order of the cells.
-    search::Points<dim, Real> seen_points() const { return row->keeps_reference() ? image_points() : points(); }
+    void note_all_written() { ++writes_of_all_; }
+    /// A number that grows whenever field k is written; above 0.
+    std::uint64_t version(int k) const { return writes_of_all_ + writes_[static_cast<std::size_t>(k)]; }
 
-    /// periods_outside[d][i]: how far particle i was outside the box at the last search, m; empty for a direction that
-    /// is not periodic.
-    std::array<std::vector<Real>, static_cast<std::size_t>(dim)> periods_outside;
+    // ---- for copies of columns ----
+    /// to[k] = from[order[k]] in each of `count` columns that are a stride apart.
+    void gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order, int threads) const;
+    /// Pads columns [first, first + count) of numbers that are laid out as the phase's.
+    void pad(AlignedVector<Real>& to, int first, int count) const;
+    /// A vector field among such numbers as points.
+    search::Points<dim, Real> points_in(const AlignedVector<Real>& from, int first) const {
+        search::Points<dim, Real> p;
+        p.n = n;
+        for (std::size_t d = 0; d < dim; ++d)
+            p.x[d] = from.data() + (static_cast<std::size_t>(first) + d) * step;
+        return p;
+    }
 
     search::CellTable table; ///< of the present positions
     search::Bounds<dim> bounds;
-    bool within_reach = true; ///< of any other, at the last search? If not, the copy and the table are not kept up
+    bool within_reach = true; ///< of any other, at the last search? If not, its table and what others see are not kept up
     bool disturbed = true;    ///< were particles added or removed since their neighbours were found?
     bool grown = true;        ///< were some added since what is computed once was?
 
@@ -118,9 +115,7 @@ public:
     AlignedVector<Real> kept_sums;  ///< see Mover::keep_sums
 
     std::size_t bytes() const {
-        std::size_t numbers = values.capacity() + spare.capacity() + image.capacity() + places_then.capacity();
-        for (const auto& outside : periods_outside)
-            numbers += outside.capacity();
+        const std::size_t numbers = values.capacity() + spare.capacity() + places_then.capacity();
         return numbers * sizeof(Real) + ids.capacity() * sizeof(std::uint32_t);
     }
 
@@ -154,11 +149,6 @@ public:
     }
 
 private:
-    static constexpr Bits bit(int k) {
-        Bits one;
-        one.set(k);
-        return one;
-    }
     std::size_t columns() const { return static_cast<std::size_t>(row->components); }
     // Room for the widest pack beyond the end, and an odd number of cache lines, so that the same particle's
     // components do not compete for one place in the cache.
@@ -167,27 +157,12 @@ private:
         std::size_t lines = (static_cast<std::size_t>(count) + search::read_beyond) / line + 1;
         return (lines | 1) * line;
     }
-    search::Points<dim, Real> points_in(const AlignedVector<Real>& from, int first) const {
-        search::Points<dim, Real> p;
-        p.n = n;
-        for (std::size_t d = 0; d < dim; ++d)
-            p.x[d] = from.data() + (static_cast<std::size_t>(first) + d) * step;
-        return p;
-    }
-    // to[k] = from[order[k]] in each of `count` components.
-    void gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order, int threads) const;
-    // Notes how far each particle is outside the periodic box, in whole periods, at a search: until the next one it is
-    // seen that far from where it is, whatever sides it crosses meanwhile, for so its neighbours were found.
-    void note_periods(const search::Periodic<dim>& periodic);
-    // Copies columns [first, first + count) into the copy, in its order.
-    void copy_to_image(int first, int count, int threads);
-    void pad(AlignedVector<Real>& to, int first, int count);
     int n = 0;
     std::size_t step = 0;
     std::uint32_t next_id = 0;
-    AlignedVector<Real> values, spare, image;
-    std::vector<std::uint32_t> image_order; // image[k] is particle image_order[k]
-    Bits fresh;                             // the fields of the copy that are what they are copies of
+    AlignedVector<Real> values, spare;
+    std::uint64_t writes_of_all_ = 1;
+    std::vector<std::uint64_t> writes_ = std::vector<std::uint64_t>(row->fields.size());
     std::vector<Real> places_then;
 };
 

@@ -17,7 +17,6 @@ void PhaseStore<dim, Real>::resize(int count) {
             std::copy_n(column(k), std::min(n, count), larger.data() + static_cast<std::size_t>(k) * wanted);
         values.swap(larger);
         spare.clear();
-        image.clear();
         step = wanted;
     }
     for (int k = 0; k < row->components; ++k)
@@ -70,65 +69,6 @@ double PhaseStore<dim, Real>::farthest_since(int threads) const {
 }
 
 template <int dim, class Real>
-void PhaseStore<dim, Real>::sort_image(const search::Grid<dim>& grid, const search::Periodic<dim>& periodic,
-                                       int threads) {
-    const std::vector<std::uint32_t> order = std::move(image_order);
-    image_order.resize(static_cast<std::size_t>(n));
-    for (std::size_t i = 0; i < image_order.size(); ++i)
-        image_order[i] = static_cast<std::uint32_t>(i);
-    note_periods(periodic);
-    copy_places_to_image(threads);
-    if (!table.sort(grid, image_points(), threads)) {
-        image_order = table.order();
-        copy_places_to_image(threads);
-    }
-    if (image_order != order)
-        note_all_written();
-}
-
-template <int dim, class Real>
-void PhaseStore<dim, Real>::copy_places_to_image(int threads) {
-    copy_to_image(row->position, dim, threads);
-    for (std::size_t d = 0; d < dim; ++d) {
-        Real* x = image.data() + static_cast<std::size_t>(row->position) * step + d * step;
-        for (std::size_t k = 0; k < periods_outside[d].size(); ++k)
-            x[k] -= periods_outside[d][image_order[k]];
-    }
-    pad(image, row->position, dim);
-}
-
-template <int dim, class Real>
-void PhaseStore<dim, Real>::refresh_in_image(int k, int threads) {
-    if (fresh.test(k))
-        return;
-    const FieldRow& field = row->fields[static_cast<std::size_t>(k)];
-    copy_to_image(field.first, field.components, threads);
-    fresh.set(k);
-}
-
-template <int dim, class Real>
-void PhaseStore<dim, Real>::note_written(int first) {
-    for (std::size_t k = 0; k < row->fields.size() && fresh.any(); ++k)
-        if (row->fields[k].first == first)
-            fresh = fresh - bit(static_cast<int>(k));
-}
-
-template <int dim, class Real>
-void PhaseStore<dim, Real>::note_periods(const search::Periodic<dim>& periodic) {
-    for (std::size_t d = 0; d < dim; ++d) {
-        auto& outside = periods_outside[d];
-        outside.clear();
-        if (periodic.length[d] == 0)
-            continue;
-        const Real low = static_cast<Real>(periodic.lower[d]), length = static_cast<Real>(periodic.length[d]);
-        const Real* x = column(row->position + static_cast<int>(d));
-        outside.resize(static_cast<std::size_t>(n));
-        for (std::size_t i = 0; i < outside.size(); ++i)
-            outside[i] = length * std::round((x[i] - search::into_period(x[i], low, length)) / length);
-    }
-}
-
-template <int dim, class Real>
 void PhaseStore<dim, Real>::gather(const Real* from, Real* to, int count, const std::vector<std::uint32_t>& order,
                                    int threads) const {
     const auto block = [&](int begin, int end) {
@@ -140,14 +80,7 @@ void PhaseStore<dim, Real>::gather(const Real* from, Real* to, int count, const 
 }
 
 template <int dim, class Real>
-void PhaseStore<dim, Real>::copy_to_image(int first, int count, int threads) {
-    image.resize(values.size());
-    gather(column(first), image.data() + static_cast<std::size_t>(first) * step, count, image_order, threads);
-    pad(image, first, count);
-}
-
-template <int dim, class Real>
-void PhaseStore<dim, Real>::pad(AlignedVector<Real>& to, int first, int count) {
+void PhaseStore<dim, Real>::pad(AlignedVector<Real>& to, int first, int count) const {
     constexpr int lanes = 64 / sizeof(Real);
     if (n == 0)
         return;

@@ -40,7 +40,7 @@ private:
         return std::any_of(loop.links.begin(), loop.links.end(),
                            [&](int k) { return !this->link_at(k).runs.is_empty(); });
     }
-    // A total-Lagrangian phase is seen by others through a copy: brings the fields that are read there up to date.
+    // What others see of a total-Lagrangian phase is brought up to date, as far as it is read.
     void fetch(const Link& link, const Bits& reads);
 };
 

@@ -76,12 +76,12 @@ void SceneEngine<dim, Real>::run(const Loop<dim, Real>& loop) {
 
 template <int dim, class Real>
 void SceneEngine<dim, Real>::fetch(const Link& link, const Bits& reads) {
-    Phase& b = this->phase(link.row.b);
+    const Phase& b = this->phase(link.row.b);
     if (!b.row->keeps_reference() || link.row.reference || link.runs.is_empty())
         return;
     for (std::size_t k = 0; k < b.row->fields.size(); ++k)
         if (b.row->fields[k].first != b.row->position && reads.test(b.row->first_bit + static_cast<int>(k)))
-            b.refresh_in_image(static_cast<int>(k), this->threads);
+            this->seen_of(link.row.b).refresh(b, static_cast<int>(k), this->threads);
 }
 
 } // namespace imbibe::detail

@@ -4,7 +4,7 @@
 
 #include <imbibe/core/compiled_core.hpp>
 #include <imbibe/core/error.hpp>
-#include <imbibe/solver/phase_store.hpp>
+#include <imbibe/solver/seen.hpp>
 
 #include <limits>
 
@@ -33,6 +33,7 @@ public:
     SceneTable table;
     std::span<const Reduction<dim, Real>> reductions;
     std::vector<Phase> phases;
+    std::vector<Seen<dim, Real>> seen; ///< of those that keep their reference order
     std::vector<std::any> couplings; ///< an object of each one's type
     std::vector<std::string> coupling_names;
     std::vector<Link> links;
@@ -52,6 +53,18 @@ public:
 
     Phase& phase(int k) { return phases[static_cast<std::size_t>(k)]; }
     const Phase& phase(int k) const { return phases[static_cast<std::size_t>(k)]; }
+    /// The points of a phase as others see it: in the order of the cells.
+    search::Points<dim, Real> seen_points(int k) const {
+        const Phase& s = phase(k);
+        if (!s.row->keeps_reference())
+            return s.points();
+        search::Points<dim, Real> p{.n = s.size()};
+        for (int d = 0; d < dim; ++d)
+            p.x[static_cast<std::size_t>(d)] = seen_of(k).column(s.row->position + d);
+        return p;
+    }
+    Seen<dim, Real>& seen_of(int k) { return seen[static_cast<std::size_t>(k)]; }
+    const Seen<dim, Real>& seen_of(int k) const { return seen[static_cast<std::size_t>(k)]; }
     Link& link_at(int k) { return links[static_cast<std::size_t>(k)]; }
     const Link& link_at(int k) const { return links[static_cast<std::size_t>(k)]; }
 
@@ -106,6 +119,8 @@ public:
         std::size_t sum = 0;
         for (const Phase& s : phases)
             sum += s.bytes();
+        for (const auto& copy : seen)
+            sum += copy.bytes();
         return sum;
     }
     std::size_t list_bytes() const {

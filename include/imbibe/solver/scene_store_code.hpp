@@ -10,6 +10,7 @@ SceneStore<dim, Real>::SceneStore(const SceneTable& of, std::span<const Reductio
     : table(of), reductions(of_terms) {
     for (const PhaseRow& row : table.phases)
         phases.emplace_back(row);
+    seen.resize(phases.size());
     for (const CouplingRow& row : table.couplings) {
         couplings.push_back(row.coupling());
         coupling_names.push_back(row.name());

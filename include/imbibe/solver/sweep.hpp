@@ -3,7 +3,7 @@
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>
-#include <imbibe/solver/phase_store.hpp>
+#include <imbibe/solver/seen.hpp>
 
 namespace imbibe::detail {
 
@@ -248,7 +248,7 @@ IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector
 template <class S, class ListB, class A, class ListA, class... N, class Adds, class Own, int dim, class Real, int width,
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
-                          const PhaseStore<dim, Real>& state, const Own& a,
+                          const PhaseStore<dim, Real>& state, [[maybe_unused]] const Seen<dim, Real>& seen, const Own& a,
                           const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
                           const typename S::B& material_b, int i, const search::RunList::Range& own_runs,
                           const PartTuple& parts) {
@@ -274,9 +274,9 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
         for (int d = 0; d < dim; ++d) {
             const Real x = state.column(place_a + d)[i];
             if constexpr (seen_elsewhere) {
-                const Real seen = state.seen_at(d, i);
-                place[d] = T(seen - image[d]);
-                image[d] += x - seen; // so that positions differ by the offset
+                const Real at = seen.place(d, i, x);
+                place[d] = T(at - image[d]);
+                image[d] += x - at; // so that positions differ by the offset
             } else {
                 place[d] = T(x - image[d]);
             }
