@@ -61,8 +61,8 @@ public:
     /// How far neighbours are looked for, m.
     double reach_of(double support_radius) const { return (1 + search_skin) * support_radius; }
 
-    /// Are the boxes around two phases further apart than any term between them reaches, along a side that is not periodic? So
-    /// is a phase without particles from every other.
+    /// Are the boxes around two phases further apart than any term between them reaches, along a side that is not
+    /// periodic? So is a phase without particles from every other.
     bool are_apart(int a, int b) const;
 
     /// How fast a phase moves: what moves by itself as it was after the last step, walls, which a host moves, as they

@@ -9,6 +9,16 @@
 #include <string>
 #include <vector>
 
+namespace imbibe {
+
+/// A particle that was handed over to another phase.
+struct Handed {
+    std::uint32_t before; ///< its number (`ids`) in the phase that it left
+    std::uint32_t now;    ///< in the one that it came to
+};
+
+} // namespace imbibe
+
 namespace imbibe::detail {
 
 /// Throws Error if a support radius, m, is no length, or so long that a particle would see a neighbour twice through a
@@ -35,10 +45,6 @@ std::vector<Point<dim>> places_of_new(const Neighbourhood<dim, Real>& scene, int
 template <int dim, class Real>
 void add_particles(PhaseStore<dim, Real>& phase, const std::vector<Point<dim>>& places, double density, double spacing);
 
-/// A particle that was handed over: its numbers (`ids`) in the phase that it left and in the one that it came to.
-struct Handed {
-    std::uint32_t before, now;
-};
 /// Takes particles out of one phase and adds them to another, with all fields that both have by name, unit and rank;
 /// what only the other one has begins as with particles that are added. The density keeps its ratio to that at rest.
 /// @throws Error where the other phase has not been given its material

@@ -119,10 +119,10 @@ public:
     /// particles that are added. The density keeps its ratio to that at rest, so the volume changes where that differs.
     /// Chosen as by remove_if; views end here. Of a phase that is to begin without particles give the material:
     /// `scene.add(Ice{{...}}, {}, spacing)`.
-    /// @return the numbers (`ids`) of each particle in the phase that it left and in the one that it came to
+    /// @return the numbers of each of these particles, before and now
     /// @throws Error where the other phase has no material
     template <class P, class Q, class Which>
-    std::vector<detail::Handed> hand_over(PhaseHandle<P> from, PhaseHandle<Q>, const Which& which) {
+    std::vector<Handed> hand_over(PhaseHandle<P> from, PhaseHandle<Q>, const Which& which) {
         if constexpr (State<P>::keeps_reference)
             detail::break_rule<rules::RemovedFromReference<P, remove_particles_of_other_phases_only>>();
         if constexpr (State<Q>::keeps_reference)
