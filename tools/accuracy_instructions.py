@@ -2,7 +2,7 @@
 """Counts the instructions of every run of an accuracy study under valgrind: a time that no other program disturbs.
 
     cmake --build --preset benchmark --target accuracy_cost_counted
-    python3 tools/accuracy_instructions.py build-benchmark/benchmarks/accuracy_cost_counted taylor-green --quick -o study.csv
+    python3 tools/accuracy_instructions.py build-benchmark/studies/accuracy_cost_counted taylor-green --quick -o study.csv
     python3 tools/plot_accuracy.py study.csv --time instructions -o study.png
 
 Runs the study as accuracy_cost does, then each row of its table once more, alone, some fifty times slower than without

@@ -26,7 +26,7 @@ from costs import HEADERS, ROOT, lines_of
 from filter import slug
 
 STUDIES = {"sponge_study.cpp"}  # programs among the examples that are not for copying
-COMPILED = ("examples/", "tests/", "benchmarks/", "include/")
+COMPILED = ("examples/", "tests/", "cases/", "studies/", "benchmarks/", "include/")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NOT_FOR = r"\b(?:Not|not to be used|not for)\b"
 CUT = re.compile(r"<!-- (\S+) -->\n\Z")
@@ -118,6 +118,9 @@ def programs():
         name = os.path.basename(path)[:-4]
         yield from ([f"benchmarks/{name}", name] if name != "bench_widths" else
                     [f"benchmarks/{name}_{it}" for it in ("sse2", "avx2", "avx512")])
+    for path in glob.glob(os.path.join(ROOT, "studies", "*.cpp")):
+        name = os.path.basename(path)[:-4]
+        yield from (f"studies/{name}", name)
 
 
 def faults_of_commands(code, known):

@@ -1,9 +1,9 @@
 // A few hard cases of each kind for the ordinary tests: a fluid, a solid, and both together. All of them, in all their
 // compositions, are in more/.
 #include "margins.hpp"
-#include "stability/coupled.hpp"
-#include "stability/fluids.hpp"
-#include "stability/solids.hpp"
+#include <cases/stability/coupled.hpp>
+#include <cases/stability/fluids.hpp>
+#include <cases/stability/solids.hpp>
 
 using namespace gauntlet;
 using stability::Hookean;

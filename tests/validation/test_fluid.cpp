@@ -15,8 +15,8 @@
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
-#include <benchmarks/validation/plates.hpp>
-#include <benchmarks/validation/still_water.hpp>
+#include <cases/validation/plates.hpp>
+#include <cases/validation/still_water.hpp>
 #include <catch_shim.hpp>
 
 #include <algorithm>

@@ -17,7 +17,7 @@
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/wall/riemann_wall.hpp>
 
-#include <benchmarks/validation/taylor_green.hpp>
+#include <cases/validation/taylor_green.hpp>
 #include <catch_shim.hpp>
 
 #include <algorithm>

@@ -13,8 +13,8 @@
 
 #include <Eigen/LU>
 
-#include <benchmarks/validation/oscillating_plate.hpp>
-#include <benchmarks/validation/turek_hron.hpp>
+#include <cases/validation/oscillating_plate.hpp>
+#include <cases/validation/turek_hron.hpp>
 #include <catch_shim.hpp>
 #include <sanitized.hpp>
 

@@ -33,7 +33,7 @@ struct DensityDiffusionParameters {
 ///
 /// Not in a coupling: across an interface, and towards a wall, densities differ for good reason. Not a substitute for
 /// viscosity: it damps sound, not motion. Not in creeping flow: with it the narrow pore of
-/// benchmarks/validation/one_pore.hpp has a tenth less resistance (docs/validation.md). In a tank that is accelerated
+/// cases/validation/one_pore.hpp has a tenth less resistance (docs/validation.md). In a tank that is accelerated
 /// sideways, gravity is not all that acts: there AntuonoDiffusion, or the acceleration as part of gravity
 /// (Solver::set_gravity).
 ///

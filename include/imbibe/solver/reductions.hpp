@@ -2,8 +2,8 @@
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
-#include <imbibe/solver/nodes.hpp>
 #include <imbibe/solver/phase_store.hpp>
+#include <imbibe/solver/sweep.hpp>
 
 #include <span>
 #include <type_traits>

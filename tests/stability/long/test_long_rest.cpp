@@ -1,6 +1,6 @@
 // A million steps at rest: does anything creep in? Row 20 of the gauntlet.
 #include "margins.hpp"
-#include "stability/fluids.hpp"
+#include <cases/stability/fluids.hpp>
 
 TEST_CASE("Still water stays still for a million steps, in float too", "[stability]") {
     const auto check = []<class Real>(Real) {

@@ -3,7 +3,7 @@
 // test_gauntlet_exact.cpp.
 #include <catch_shim.hpp>
 
-#include "stability/solids.hpp"
+#include <cases/stability/solids.hpp>
 
 #include <Eigen/LU>
 

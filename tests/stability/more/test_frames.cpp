@@ -2,7 +2,7 @@
 // and with a particle that is alone, far from the rest. Rows 15, 16 and 23 of the gauntlet.
 #include <catch_shim.hpp>
 
-#include "stability/frames.hpp"
+#include <cases/stability/frames.hpp>
 
 namespace {
 

@@ -1,6 +1,6 @@
-// Hard cases of water and solid together, short. The scenes are those of benchmarks/stability.
+// Hard cases of water and solid together, short. The scenes are those of cases/stability.
 #include "margins.hpp"
-#include "stability/coupled.hpp"
+#include <cases/stability/coupled.hpp>
 
 using namespace gauntlet;
 using stability::PaperCoupling;

@@ -1,8 +1,8 @@
 // Rows of the gauntlet with other compositions than the rest: pairing, a free fall that is exact, and stress rates that
 // turn with the matter.
 #include "margins.hpp"
-#include "stability/coupled.hpp"
-#include "stability/crowd.hpp"
+#include <cases/stability/coupled.hpp>
+#include <cases/stability/crowd.hpp>
 
 #include <imbibe/solid/hughes_winget.hpp>
 #include <imbibe/solid/jaumann_stress.hpp>

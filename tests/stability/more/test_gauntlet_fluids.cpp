@@ -1,6 +1,6 @@
-// Hard cases of fluids, short. The scenes are those of benchmarks/stability, which bisects how much harder they may be.
+// Hard cases of fluids, short. The scenes are those of cases/stability, which bisects how much harder they may be.
 #include "margins.hpp"
-#include "stability/fluids.hpp"
+#include <cases/stability/fluids.hpp>
 
 using namespace gauntlet;
 using stability::DamBreak;

@@ -1,7 +1,7 @@
 // The hard cases of fluids, and of water on a solid, in three dimensions and in single precision: what the sponge runs
 // in. The scenes are those of the plane with a third direction.
 #include "margins.hpp"
-#include "stability/coupled.hpp"
+#include <cases/stability/coupled.hpp>
 
 #include <sanitized.hpp>
 

@@ -1,7 +1,7 @@
 // Every limit of the time step against the longest step that holds, in the scenes of docs/stability.md, "Limits".
 #include <catch_shim.hpp>
 
-#include "stability/rows.hpp"
+#include <cases/stability/rows.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Limits that hard starts ask for, too few neighbours, fast particles, and two fluids a thousand times apart in
 // density. Rows 11, 12, 18 and 22 of the gauntlet.
 #include "margins.hpp"
-#include "stability/limits.hpp"
-#include "stability/starts.hpp"
-#include "stability/two_fluids.hpp"
+#include <cases/stability/limits.hpp>
+#include <cases/stability/starts.hpp>
+#include <cases/stability/two_fluids.hpp>
 
 using namespace gauntlet;
 

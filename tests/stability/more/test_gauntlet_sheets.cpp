@@ -1,6 +1,6 @@
 // Sheets, threads and single particles with corrected gradients. Row 4 of the gauntlet.
 #include "margins.hpp"
-#include "stability/thin.hpp"
+#include <cases/stability/thin.hpp>
 
 using namespace gauntlet;
 using stability::Hookean;

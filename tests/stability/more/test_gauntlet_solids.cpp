@@ -1,6 +1,6 @@
-// Hard cases of solids, short. The scenes are those of benchmarks/stability, which bisects how much harder they may be.
+// Hard cases of solids, short. The scenes are those of cases/stability, which bisects how much harder they may be.
 #include "margins.hpp"
-#include "stability/solids.hpp"
+#include <cases/stability/solids.hpp>
 
 using namespace gauntlet;
 using stability::Averaged;

@@ -1,7 +1,7 @@
 // Particles that start too near each other, and the distance of two phases' nearest particles, on which a limit
 // depends. Row 11 of the gauntlet.
 #include "margins.hpp"
-#include "stability/starts.hpp"
+#include <cases/stability/starts.hpp>
 
 using namespace gauntlet;
 

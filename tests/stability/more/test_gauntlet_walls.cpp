@@ -1,8 +1,8 @@
 // What is one particle thick: walls under a metre of water, sheets and threads, slots. Rows 4, 10 and 17 of the
 // gauntlet.
 #include "margins.hpp"
-#include "stability/pores.hpp"
-#include "stability/thin.hpp"
+#include <cases/stability/pores.hpp>
+#include <cases/stability/thin.hpp>
 
 using namespace gauntlet;
 using stability::Pore;

@@ -2,7 +2,7 @@
 // start with a reason. In the plane and in space, in double and in float, of three compositions.
 #include <catch_shim.hpp>
 
-#include "stability/coupled.hpp"
+#include <cases/stability/coupled.hpp>
 
 #include <limits>
 #include <optional>

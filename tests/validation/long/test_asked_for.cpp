@@ -2,12 +2,12 @@
 // plates, vortices that decay, creeping flow through cylinders, water at rest, a soft plate under it, and, more
 // strictly than the table of docs/validation.md, a beam under its weight (there 3 % with 5 layers). The cases are those
 // of that table, which has them at coarser resolutions too.
-#include <benchmarks/validation/cylinders.hpp>
-#include <benchmarks/validation/plates.hpp>
-#include <benchmarks/validation/soft_plate.hpp>
-#include <benchmarks/validation/still_water.hpp>
-#include <benchmarks/validation/taylor_green.hpp>
-#include <benchmarks/validation/turek_hron.hpp>
+#include <cases/validation/cylinders.hpp>
+#include <cases/validation/plates.hpp>
+#include <cases/validation/soft_plate.hpp>
+#include <cases/validation/still_water.hpp>
+#include <cases/validation/taylor_green.hpp>
+#include <cases/validation/turek_hron.hpp>
 #include <catch_shim.hpp>
 
 #include <algorithm>

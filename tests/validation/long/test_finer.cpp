@@ -2,9 +2,9 @@
 // Turek and Hron under its weight, and the cavity whose lid moves.
 //
 // The references and what counts as good are set before the runs; where a number was chosen after one, it says so.
-#include <benchmarks/validation/cavity.hpp>
-#include <benchmarks/validation/oscillating_plate.hpp>
-#include <benchmarks/validation/turek_hron.hpp>
+#include <cases/validation/cavity.hpp>
+#include <cases/validation/oscillating_plate.hpp>
+#include <cases/validation/turek_hron.hpp>
 #include <catch_shim.hpp>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // A solid of a program's own, whose pores are not resolved, drains as Terzaghi says; docs/validation.md has it finer.
-#include <benchmarks/validation/consolidation.hpp>
+#include <cases/validation/consolidation.hpp>
 #include <catch_shim.hpp>
 
 TEST_CASE("A loaded layer of wet soil consolidates as Terzaghi says", "[validation][solid]") {

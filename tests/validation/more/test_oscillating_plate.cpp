@@ -1,5 +1,5 @@
 // The plate that swings in a rigid root, coarse and for ten periods; tests/validation/long has it finer.
-#include <benchmarks/validation/oscillating_plate.hpp>
+#include <cases/validation/oscillating_plate.hpp>
 #include <catch_shim.hpp>
 
 namespace plate = validation::oscillating_plate;

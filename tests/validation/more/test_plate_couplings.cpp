@@ -1,7 +1,7 @@
-// Half a metre of water on a soft elastic plate, through every coupling of benchmarks/couplings: how far the plate
+// Half a metre of water on a soft elastic plate, through every coupling of cases/couplings: how far the plate
 // hangs down. After Fourey et al. (2017), with a softer plate and less water; docs/validation.md and docs/coupling.md
 // have it at other spacings and support radii.
-#include <benchmarks/validation/soft_plate.hpp>
+#include <cases/validation/soft_plate.hpp>
 #include <catch_shim.hpp>
 #include <sanitized.hpp>
 

@@ -1,5 +1,5 @@
-// A cavity whose lid moves, as in benchmarks/validation, coarse; docs/validation.md has it finer.
-#include <benchmarks/validation/cavity.hpp>
+// A cavity whose lid moves, as in cases/validation, coarse; docs/validation.md has it finer.
+#include <cases/validation/cavity.hpp>
 #include <catch_shim.hpp>
 
 #include <imbibe/fluid/summation_relaxation.hpp>

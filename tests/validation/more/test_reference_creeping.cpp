@@ -1,8 +1,8 @@
-// Creeping flow through arrays, a pipe and a duct, as in benchmarks/validation, coarse; docs/validation.md has it finer.
-#include <benchmarks/validation/cylinders.hpp>
-#include <benchmarks/validation/duct.hpp>
-#include <benchmarks/validation/pipe.hpp>
-#include <benchmarks/validation/spheres.hpp>
+// Creeping flow through arrays, a pipe and a duct, as in cases/validation, coarse; docs/validation.md has it finer.
+#include <cases/validation/cylinders.hpp>
+#include <cases/validation/duct.hpp>
+#include <cases/validation/pipe.hpp>
+#include <cases/validation/spheres.hpp>
 #include <catch_shim.hpp>
 
 namespace cylinders = validation::cylinders;

@@ -1,6 +1,6 @@
-// Water without gravity and walls, as in benchmarks/validation, coarse; docs/validation.md has it finer.
-#include <benchmarks/validation/elliptic_drop.hpp>
-#include <benchmarks/validation/square_patch.hpp>
+// Water without gravity and walls, as in cases/validation, coarse; docs/validation.md has it finer.
+#include <cases/validation/elliptic_drop.hpp>
+#include <cases/validation/square_patch.hpp>
 #include <catch_shim.hpp>
 
 TEST_CASE("A drop is drawn out into the ellipse it should become", "[validation][fluid]") {

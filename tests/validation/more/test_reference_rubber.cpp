@@ -1,9 +1,9 @@
-// Rubber that spins, and bends under its weight and under water, as in benchmarks/validation, coarse;
+// Rubber that spins, and bends under its weight and under water, as in cases/validation, coarse;
 // docs/validation.md has it finer.
-#include <benchmarks/validation/elastic_baffle.hpp>
-#include <benchmarks/validation/elastic_gate.hpp>
-#include <benchmarks/validation/spinning_plate.hpp>
-#include <benchmarks/validation/turek_hron.hpp>
+#include <cases/validation/elastic_baffle.hpp>
+#include <cases/validation/elastic_gate.hpp>
+#include <cases/validation/spinning_plate.hpp>
+#include <cases/validation/turek_hron.hpp>
 #include <catch_shim.hpp>
 #include <sanitized.hpp>
 

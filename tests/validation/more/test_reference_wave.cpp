@@ -1,5 +1,5 @@
-// A standing wave, as in benchmarks/validation, coarse; docs/validation.md has it finer.
-#include <benchmarks/validation/standing_wave.hpp>
+// A standing wave, as in cases/validation, coarse; docs/validation.md has it finer.
+#include <cases/validation/standing_wave.hpp>
 #include <catch_shim.hpp>
 
 namespace wave = validation::standing_wave;

@@ -1,34 +1,34 @@
-// The reference cases: scenes with numbers from outside (benchmarks/validation/, one case a file), each run at several
+// The reference cases: scenes with numbers from outside (cases/validation/, one case a file), each run at several
 // resolutions. Prints the errors and the order at which they fall, and keeps them in the table of docs/validation.md.
 //
-//   build-benchmark/benchmarks/validation couette cylinders            some of them
-//   build-benchmark/benchmarks/validation turek-hron --resolutions 4   coarse only
-//   build-benchmark/benchmarks/validation all --write docs/validation.md
-#include "validation/cavity.hpp"
-#include "validation/consolidation.hpp"
-#include "validation/cylinders.hpp"
-#include "validation/dam_break_at_wall.hpp"
-#include "validation/dam_break_on_box.hpp"
-#include "validation/duct.hpp"
-#include "validation/elastic_baffle.hpp"
-#include "validation/elastic_gate.hpp"
-#include "validation/elliptic_drop.hpp"
-#include "validation/one_pore.hpp"
-#include "validation/orifice.hpp"
-#include "validation/oscillating_plate.hpp"
-#include "validation/pipe.hpp"
-#include "validation/plates.hpp"
-#include "validation/report.hpp"
-#include "validation/soft_plate.hpp"
-#include "validation/spheres.hpp"
-#include "validation/spinning_plate.hpp"
-#include "validation/square_patch.hpp"
-#include "validation/standing_wave.hpp"
-#include "validation/stiff_plate.hpp"
-#include "validation/still_water.hpp"
-#include "validation/taylor_green.hpp"
-#include "validation/turek_hron.hpp"
-#include "validation/turek_hron_flow.hpp"
+//   build-benchmark/studies/validation couette cylinders            some of them
+//   build-benchmark/studies/validation turek-hron --resolutions 4   coarse only
+//   build-benchmark/studies/validation all --write docs/validation.md
+#include <cases/validation/cavity.hpp>
+#include <cases/validation/consolidation.hpp>
+#include <cases/validation/cylinders.hpp>
+#include <cases/validation/dam_break_at_wall.hpp>
+#include <cases/validation/dam_break_on_box.hpp>
+#include <cases/validation/duct.hpp>
+#include <cases/validation/elastic_baffle.hpp>
+#include <cases/validation/elastic_gate.hpp>
+#include <cases/validation/elliptic_drop.hpp>
+#include <cases/validation/one_pore.hpp>
+#include <cases/validation/orifice.hpp>
+#include <cases/validation/oscillating_plate.hpp>
+#include <cases/validation/pipe.hpp>
+#include <cases/validation/plates.hpp>
+#include <cases/validation/report.hpp>
+#include <cases/validation/soft_plate.hpp>
+#include <cases/validation/spheres.hpp>
+#include <cases/validation/spinning_plate.hpp>
+#include <cases/validation/square_patch.hpp>
+#include <cases/validation/standing_wave.hpp>
+#include <cases/validation/stiff_plate.hpp>
+#include <cases/validation/still_water.hpp>
+#include <cases/validation/taylor_green.hpp>
+#include <cases/validation/turek_hron.hpp>
+#include <cases/validation/turek_hron_flow.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -1,16 +1,16 @@
 // Five couplings of water and solid on three scenes: what each gives for four support radii and four spacings, how long
 // its steps are, what it costs, how near it lets the water come. Prints tables and writes the curves.
 //
-//   build-benchmark/benchmarks/couplings scaling            what K_f holds in the paper's scene, at once
-//   build-benchmark/benchmarks/couplings plate              half a metre of water on a soft plate, minutes
-//   build-benchmark/benchmarks/couplings gate               water pushes a rubber gate open
-//   build-benchmark/benchmarks/couplings sponge             one row of pores of the paper's sponge, an hour
-//   build-benchmark/benchmarks/couplings sponge --only "extrapolated pressure" --vary support
-//   build-benchmark/benchmarks/couplings plate --vary step  how long steps can be: bisected, for each coupling
-#include "couplings/gate.hpp"
-#include "couplings/plate.hpp"
-#include "couplings/sponge.hpp"
-#include "support/largest_stable.hpp"
+//   build-benchmark/studies/couplings scaling            what K_f holds in the paper's scene, at once
+//   build-benchmark/studies/couplings plate              half a metre of water on a soft plate, minutes
+//   build-benchmark/studies/couplings gate               water pushes a rubber gate open
+//   build-benchmark/studies/couplings sponge             one row of pores of the paper's sponge, an hour
+//   build-benchmark/studies/couplings sponge --only "extrapolated pressure" --vary support
+//   build-benchmark/studies/couplings plate --vary step  how long steps can be: bisected, for each coupling
+#include <cases/couplings/gate.hpp>
+#include <cases/couplings/plate.hpp>
+#include <cases/couplings/sponge.hpp>
+#include <cases/support/largest_stable.hpp>
 
 #include <CLI/CLI.hpp>
 

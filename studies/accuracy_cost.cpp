@@ -1,17 +1,17 @@
 // What accuracy costs in time: scenes with a reference, run over spacings, schemes, kernels, supports, couplings, time
 // steps and number types. Writes a table; tools/plot_accuracy.py draws it.
 //
-//   build-benchmark/benchmarks/accuracy_cost taylor-green -o taylor-green.csv     vortices that decay, Re = 100
-//   build-benchmark/benchmarks/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
-//   build-benchmark/benchmarks/accuracy_cost taylor-green --quick                 coarse spacings only
-//   build-benchmark/benchmarks/accuracy_cost poiseuille --axis "cfl=0.1;0.4" --axis "precision=float" --combine
+//   build-benchmark/studies/accuracy_cost taylor-green -o taylor-green.csv     vortices that decay, Re = 100
+//   build-benchmark/studies/accuracy_cost poiseuille -o poiseuille.csv         the start of a flow between plates
+//   build-benchmark/studies/accuracy_cost taylor-green --quick                 coarse spacings only
+//   build-benchmark/studies/accuracy_cost poiseuille --axis "cfl=0.1;0.4" --axis "precision=float" --combine
 //                                                      these choices in place of the case's, and all their combinations
 //
 // tools/accuracy_instructions.py adds the number of instructions of each run to such a table.
 //
 // The other cases: dam-break, cylinders, plate, soft-plate, sponge; one file each in accuracy/, whose first lines say
 // what it is.
-#include "accuracy/cases.hpp"
+#include <cases/accuracy/cases.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -3,7 +3,7 @@
 // Reference: two-dimensional elasticity by finite elements, 2.10e-3 m, give or take 4 %. After Fourey et al. (2017),
 // with a softer plate and less water.
 // Geometry: 1 m wide, the plate 0.05 m thick; the water's spacing is twice the plate's.
-// Scheme: that of the comparison of couplings (benchmarks/couplings/plate.hpp), with a support of 2.6 spacings in the
+// Scheme: that of the comparison of couplings (cases/couplings/plate.hpp), with a support of 2.6 spacings in the
 // water and 1.5 in the plate, whose modulus is that of `bending_modulus`.
 // Measure: the sag after 0.16 s, damped, under the water and under the same weight without it.
 #pragma once

@@ -1,12 +1,12 @@
 // How long steps can be, and how far a scene can be pushed, before it goes wrong: a matrix of compositions and hard
 // cases, each bisected. Writes the tables of docs/stability.md between their markers.
 //
-//   build-benchmark/benchmarks/stability --write docs/stability.md       half an hour on one core
-//   build-benchmark/benchmarks/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
-//   build-benchmark/benchmarks/stability --part Limits                   a part of the tables, printed
-#include "stability/rows.hpp"
-#include "support/document.hpp"
-#include "support/largest_stable.hpp"
+//   build-benchmark/studies/stability --write docs/stability.md       half an hour on one core
+//   build-benchmark/studies/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
+//   build-benchmark/studies/stability --part Limits                   a part of the tables, printed
+#include <cases/stability/rows.hpp>
+#include <cases/support/document.hpp>
+#include <cases/support/largest_stable.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -177,7 +177,7 @@ int main(int argc, char** argv) {
     try {
         std::optional<sph::bench::Document> document;
         if (!path.empty())
-            document.emplace(path, "benchmarks/stability");
+            document.emplace(path, "studies/stability");
         if (cfl > 0) {
             for (const Row& row : table.rows)
                 if (wanted(row) && (part.empty() || part == row.part)) {

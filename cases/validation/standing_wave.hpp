@@ -83,7 +83,7 @@ Wave swing(int across, double Re, int half_periods) {
     }
     const auto share = [&] {
         const auto x = view[sph::position], v = view[sph::velocity];
-        return sph::detail::particle_sum(view, [&](int i) { return v.row(i).dot(mode(x(i, 0), x(i, 1))); });
+        return particle_sum(view, [&](int i) { return v.row(i).dot(mode(x(i, 0), x(i, 1))); });
     };
 
     std::vector<double> zeros, peaks, times; // of the mode; of its kinetic energy after each zero

@@ -26,12 +26,20 @@ template <class K, class... Extra>
 using Water =
     sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::DensityDiffusion<K>, sph::VolumePressure<K>, Extra...>;
 
+/// The sum of f(i) over the particles, in the order of storage.
+template <class View, class F>
+double particle_sum(const View& view, const F& f) {
+    double total = 0;
+    for (int i = 0; i < view.size(); ++i)
+        total += f(i);
+    return total;
+}
+
 /// sum_a m_a (x_a v_a - y_a u_a), kg m^2/s.
 template <class View>
 double angular_momentum(const View& view) {
     const auto x = view[sph::position], v = view[sph::velocity];
-    return sph::detail::particle_sum(
-        view, [&](int i) { return view[sph::mass](i) * (x(i, 0) * v(i, 1) - x(i, 1) * v(i, 0)); });
+    return particle_sum(view, [&](int i) { return view[sph::mass](i) * (x(i, 0) * v(i, 1) - x(i, 1) * v(i, 0)); });
 }
 
 } // namespace validation
