@@ -4,7 +4,7 @@
 
 #include <catch_shim.hpp>
 
-#include "stability/march.hpp"
+#include <cases/stability/march.hpp>
 
 #include <imbibe/presets/sponge_case.hpp>
 

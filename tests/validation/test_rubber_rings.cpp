@@ -15,8 +15,8 @@
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
 
-#include <benchmarks/support/elastic.hpp>
-#include <benchmarks/support/pieces.hpp>
+#include <cases/support/elastic.hpp>
+#include <cases/support/pieces.hpp>
 #include <catch_shim.hpp>
 #include <sanitized.hpp>
 
