@@ -117,15 +117,19 @@ struct Sum {
 /// The greatest; see Sum.
 template <class Quantity_>
 struct Max {
-    using Quantity = Quantity_;
+    using Quantity = Quantity_; ///< whose greatest value is taken
+    /// Of no particles.
     static constexpr double of_none = -std::numeric_limits<double>::infinity();
+    /// Of two sets of particles.
     static constexpr double both(double one, double other) { return std::max(one, other); }
 };
 /// The least; see Sum.
 template <class Quantity_>
 struct Min {
-    using Quantity = Quantity_;
+    using Quantity = Quantity_; ///< whose least value is taken
+    /// Of no particles.
     static constexpr double of_none = std::numeric_limits<double>::infinity();
+    /// Of two sets of particles.
     static constexpr double both(double one, double other) { return std::min(one, other); }
 };
 
