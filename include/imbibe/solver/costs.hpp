@@ -97,6 +97,12 @@ class Costs {
         }(typename detail::Costed<Scene_>::Passes{});
     }
 
+    template <class P, class B, class... L>
+    static constexpr int loads_between(TypeList<L...>) {
+        return ((std::is_same_v<typename L::A, P> && std::is_same_v<typename L::B, B> ? loads_of_link<L> : 0) + ... +
+                0);
+    }
+
 public:
     /// How many numbers a particle of phase P stores.
     template <class P>
@@ -116,17 +122,11 @@ public:
         return Pass::plan.sweeps(Scene::template phase_index<P>);
     });
 
-    /// @cond
+    /// The numbers that the sweeps over the neighbours of a link load in a step for one of them; for reports.
     template <class L>
     static constexpr int loads_of_link = sum([]<class Pass>(std::type_identity<Pass>) {
         return detail::PassLoads<dim, Pass>::template loads<L>;
     });
-    template <class P, class B, class... L>
-    static constexpr int loads_between(TypeList<L...>) {
-        return ((std::is_same_v<typename L::A, P> && std::is_same_v<typename L::B, B> ? loads_of_link<L> : 0) + ... +
-                0);
-    }
-    /// @endcond
     /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its place, once a sweep, and
     /// the fields that terms read of it, once a sweep however many terms do; both twice where it is a neighbour now
     /// and in the stress-free solid, or of a term that reaches further than others as well.
