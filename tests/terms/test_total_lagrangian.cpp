@@ -214,7 +214,7 @@ double share_of_exact_limit(double poisson, double support, const std::array<int
     correct(body);
     double least = std::numeric_limits<double>::infinity();
     for (const auto& p : body)
-        least = std::min(least_trace, plain(p[gradient_correction]).trace());
+        least = std::min(least, plain(p[gradient_correction]).trace());
     Dice dice(3);
     std::vector<ColumnVector<dim>> u(body.size());
     for (auto& x : u)
@@ -240,7 +240,7 @@ double share_of_exact_limit(double poisson, double support, const std::array<int
         frequency2 = product / square;
     }
     TimeStepInput in{material.support_radius, material.spacing, 0, 0, dim};
-    in.least = least_trace;
+    in.least = least;
     const double of_law = StVenantKirchhoff::time_step_limit(material, in);
     const double limit = law_alone ? of_law : std::min(of_law, ReferenceCorrection<>::time_step_limit(material, in));
     return limit * std::sqrt(frequency2) / 2;
