@@ -66,7 +66,6 @@ TEST_CASE("Particles that are handed over take along the fields that both phases
     Freezing scene({.support_radius = 0.25, .time_step = 1e-3});
     const auto liquid = scene.add(water, places, 0.1);
     const auto solid = scene.add(ice, {}, 0.1);
-    std::vector<std::string> warnings = scene.warnings();
     scene.step();
     for (const std::string& warning : scene.warnings())
         CHECK(warning.find("Ice has no particles") == std::string::npos); // its material is there, on purpose

@@ -187,8 +187,8 @@ struct CoefficientsIn<TypeList<T...>> {
 
 /// How the particles of a phase move: as the forces on them say. Fluids and solids.
 struct Free {};
-/// With the velocity that a term sets (by `a.time`, say) or a program writes: the integrator advances their positions by it,
-/// and no force does. `struct Paddle : Wall<...> { using motion = Prescribed; };`
+/// With the velocity that a term sets (by `a.time`, say) or a program writes: the integrator advances their positions by
+/// it, and no force does. `struct Paddle : Wall<...> { using motion = Prescribed; };`
 struct Prescribed {};
 /// Not at all, unless a program writes their positions, and their velocities with them. Walls.
 struct Placed {};
@@ -278,9 +278,9 @@ struct Solid {
     }
 };
 
-/// A wall: particles that no force moves, with the terms they need to push on a fluid. It rests, moves with a velocity that
-/// a term sets or a program writes (`using motion = Prescribed;`), or is where a program puts it: that writes positions
-/// and velocities in every step, for the fluid's pressure follows from the velocities.
+/// A wall: particles that no force moves, with the terms they need to push on a fluid. It rests, moves with a velocity
+/// that a term sets or a program writes (`using motion = Prescribed;`), or is where a program puts it: that writes
+/// positions and velocities in every step, for the fluid's pressure follows from the velocities.
 template <class... Terms>
 struct Wall {
     using written = TypeList<Terms...>;                     ///< as it stands in the program

@@ -7,9 +7,9 @@
 //     support radius and beyond, as all does that is multiplied by a kernel: neighbours are looked for somewhat
 //     further, and packs are filled up with whoever is at hand.
 // It is constexpr, and calls sqrt, exp, pow, min and max by these names alone: its numbers may be packs of several.
-// Besides its fields a particle has `material`, `gravity()`, `time`, s, when the step begins, and `time_step`, s: by how
-// much states are advanced with the rates that are being computed; 0 for what is computed once, and where an integrator does not advance them by
-// these rates alone (MidpointRungeKutta, PredictorCorrector).
+// Besides its fields a particle has `material`, `gravity()`, `time`, s, when the step begins, and `time_step`, s: by
+// how much states are advanced with the rates that are being computed; 0 for what is computed once, and where an
+// integrator does not advance them by these rates alone (MidpointRungeKutta, PredictorCorrector).
 //
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
 // `static constexpr bool once = true;` (evaluated before the first step and when particles are added, of all particles,
@@ -29,8 +29,8 @@
 //     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli
 //     of `Solid`), `needs_viscosity` (it asks for the viscosity of its phase, or of one of the two of a coupling);
 //   - `static double support_radius(const auto& material)`, in couplings with both materials, and behind these the
-//     Parameters if it needs them: how far its pair functions reach, m, if not as far as the phases do. Their neighbours
-//     are listed apart, so the other terms do not pay for them;
+//     Parameters if it needs them: how far its pair functions reach, m, if not as far as the phases do. Their
+//     neighbours are listed apart, so the other terms do not pay for them;
 //   - `struct Prepared` and `template <int dim> static Prepared prepare(const auto& material, const Lattice<dim>&)`, in
 //     couplings with both materials, and behind these the Parameters if it needs them: numbers that follow from
 //     spacing, support radius and dimension (lattice.hpp). They are computed before the first step and when a program
@@ -102,8 +102,8 @@ struct Lattice;
 template <class... P>
 using Parts = TypeList<P...>;
 
-/// What a part among the `reductions` of a term does with what its function (a) -> number returns for the particles of a
-/// phase: `using reduces = Sum<StoredEnergy>;`. It says which fields it `reads`, and is asked whenever a limit on the
+/// What a part among the `reductions` of a term does with what its function (a) -> number returns for the particles of
+/// a phase: `using reduces = Sum<StoredEnergy>;`. It says which fields it `reads`, and is asked whenever a limit on the
 /// step, a guard or a program wants to know (`reduced`), never in a step. Its numbers are plain doubles, and it may
 /// branch. In a coupling it counts for nothing.
 /// @tparam Quantity_ what it is: a field, or a struct with `name` and `unit`
@@ -356,8 +356,8 @@ template <class Term>
 concept HasParts = requires { typename Term::parts; };
 template <class Term>
 concept HasStores = requires { typename Term::stores; };
-/// What a term says of its own with the materials M of a phase or of both phases of a coupling, and its parameters if it
-/// needs them: how far it reaches, and the numbers that it prepares.
+/// What a term says of its own with the materials M of a phase or of both phases of a coupling, and its parameters if
+/// it needs them: how far it reaches, and the numbers that it prepares.
 template <class Term, class... M>
 concept SaysSupport = requires(const M&... material) {
     { Term::support_radius(material...) } -> std::convertible_to<double>;

@@ -9,7 +9,6 @@
 #include <concepts>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace imbibe {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/kernels/moment_matrix.hpp>
 #include <imbibe/kernels/wendland.hpp>
@@ -21,16 +22,7 @@ namespace detail {
 // with 2 spacings and more, 0.66 with 1.5.
 template <class Kernel, int dim>
 double lattice_moment(double support) {
-    const int reach = static_cast<int>(support), deep = dim == 3 ? reach : 0;
-    double moment = 0;
-    for (int i = 1; i <= reach; ++i)
-        for (int j = -reach; j <= reach; ++j)
-            for (int k = -deep; k <= deep; ++k) {
-                const double r = std::sqrt(i * i + j * j + k * k);
-                if (r < support)
-                    moment -= 2 * i * i / r * Kernel::derivative(r / support);
-            }
-    return moment * Kernel::template normalisation<dim>() / std::pow(support, dim + 1);
+    return Lattice<dim>{1, support}.sum([](const auto& ab) { return -sq(ab.offset[0]) * ab.gradient(Kernel{}); });
 }
 
 } // namespace detail

@@ -74,9 +74,10 @@ public:
     /// are rounded stay what they are: to look at a scene changes nothing.
     void notice_greater_speeds();
 
-private:
+protected:
     static constexpr Bits all_phases{{~0ull, ~0ull, ~0ull, ~0ull}};
 
+private:
     static std::size_t columns_remembered(const Phase& s) {
         std::size_t columns = (s.row->drifts ? dim : 0) + (s.row->moves ? dim : 0);
         for (const StateRow& state : s.row->states)

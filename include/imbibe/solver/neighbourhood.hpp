@@ -35,8 +35,8 @@ public:
     using Pairs = PairDistances<dim, Real, Base::width>;
     using Base::Base, Base::phase, Base::phases, Base::links, Base::support, Base::support_of;
 
-    /// Once, when the particles are there: puts total-Lagrangian phases that have grown into the order of their reference
-    /// positions and finds the neighbours they keep.
+    /// Once, when the particles are there: puts total-Lagrangian phases that have grown into the order of their
+    /// reference positions and finds the neighbours they keep.
     void find_reference_neighbours();
 
     /// How many steps neighbours serve; see Settings::search_interval.

@@ -1,6 +1,6 @@
 // The particles of one phase: one stretch of memory per component of each field (structure of arrays), and the order in
-// which they lie there. Which column is what says the phase's row in the tables of the scene. What others see of a phase
-// that stays in its own order is in seen.hpp.
+// which they lie there. Which column is what says the phase's row in the tables of the scene. What others see of a
+// phase that stays in its own order is in seen.hpp.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -106,7 +106,7 @@ public:
 
     search::CellTable table; ///< of the present positions
     search::Bounds<dim> bounds;
-    bool within_reach = true; ///< of any other, at the last search? If not, its table and what others see are not kept up
+    bool within_reach = true; ///< of any other, at the last search? If not, its table is not kept up
     bool disturbed = true;    ///< were particles added or removed since their neighbours were found?
     bool grown = true;        ///< were some added since what is computed once was?
 

@@ -1,5 +1,5 @@
-// Runs the passes of a scene: clears sums, brings up to date what others see, and has the loops run. It knows no type of
-// the scene, only its tables.
+// Runs the passes of a scene: clears sums, brings up to date what others see, and has the loops run. It knows no type
+// of the scene, only its tables.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -27,8 +27,9 @@ public:
     /// When the step begins, s.
     double time = 0;
 
-    /// Evaluates terms in the order of their plan. `dt` is by how much states are advanced, s.
-    void run(const Pass<dim, Real>& pass, double dt);
+    /// Evaluates terms of the phases that are chosen, in the order of their plan. `dt` is by how much states are
+    /// advanced, s.
+    void run(const Pass<dim, Real>& pass, double dt, const Bits& chosen = Base::all_phases);
     /// The same for phases that have grown, and those that sum over such: for what is computed once.
     void run_for_grown(const Pass<dim, Real>& pass);
 

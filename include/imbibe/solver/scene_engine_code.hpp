@@ -13,31 +13,28 @@ void Threads<dim, Real>::launch(SceneEngine<dim, Real>& scene, const Loop<dim, R
 }
 
 template <int dim, class Real>
-void SceneEngine<dim, Real>::run(const Pass<dim, Real>& pass, double dt) {
+void SceneEngine<dim, Real>::run(const Pass<dim, Real>& pass, double dt, const Bits& chosen) {
     step_length = dt;
     for (const ColumnRange& range : pass.cleared)
-        clear(range);
+        if (chosen.test(range.phase))
+            clear(range);
     for (const Loop<dim, Real>& loop : pass.loops)
-        run(loop);
+        if (chosen.test(loop.phase))
+            run(loop);
 }
 
 template <int dim, class Real>
 void SceneEngine<dim, Real>::run_for_grown(const Pass<dim, Real>& pass) {
-    std::vector<char> concerned;
-    for (const Phase& s : this->phases)
-        concerned.push_back(s.grown);
-    const auto is = [&](int phase) -> char& { return concerned[static_cast<std::size_t>(phase)]; };
+    Bits concerned;
+    for (std::size_t k = 0; k < this->phases.size(); ++k)
+        if (this->phases[k].grown)
+            concerned.set(static_cast<int>(k));
     for (std::size_t k = 0; k < pass.loops.size(); ++k) // one more of them in every round
         for (const Loop<dim, Real>& loop : pass.loops)
             for (const int link : loop.links)
-                is(loop.phase) = is(loop.phase) || is(this->link_at(link).row.b);
-    step_length = 0;
-    for (const ColumnRange& range : pass.cleared)
-        if (is(range.phase))
-            clear(range);
-    for (const Loop<dim, Real>& loop : pass.loops)
-        if (is(loop.phase))
-            run(loop);
+                if (concerned.test(this->link_at(link).row.b))
+                    concerned.set(loop.phase);
+    run(pass, 0, concerned);
     for (Phase& s : this->phases)
         s.grown = false;
 }

@@ -62,8 +62,8 @@ public:
     void shorten_steps(double share);
     /// The product of all shares by which steps were shortened.
     double shortened() const { return shortened_; }
-    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once: before the
-    /// first step of all phases, later of those to which particles were added, and of those that sum over them. The
+    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once: before
+    /// the first step of all phases, later of those to which particles were added, and of those that sum over them. The
     /// first step does it by itself, and once more where somebody had a view to write since.
     /// @throws Error for a scene without particles or coefficients out of range
     void prepare();

@@ -248,7 +248,8 @@ IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector
 template <class S, class ListB, class A, class ListA, class... N, class Adds, class Own, int dim, class Real, int width,
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
-                          const PhaseStore<dim, Real>& state, [[maybe_unused]] const Seen<dim, Real>& seen, const Own& a,
+                          const PhaseStore<dim, Real>& state, [[maybe_unused]] const Seen<dim, Real>& seen,
+                          const Own& a,
                           const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
                           const typename S::B& material_b, int i, const search::RunList::Range& own_runs,
                           const PartTuple& parts) {
