@@ -64,7 +64,7 @@ struct Seen {
     double lightest = 1e300, densest = 0; ///< of all particles of the water at any moment, kg/m^3
     double in_the_sponge = 0;             ///< the greatest share nearer than half a spacing to the sponge
     double in_pairs = 0;                  ///< the greatest share nearer than that to another particle of the water
-    double beyond_the_walls = 0;          ///< how far water was outside the tank, m
+    double beyond_the_walls = 0; ///< how far water was behind the face of a wall, m; a drop over its rim is not
     int lost = 0;                         ///< particles neither in the scene nor drained
 };
 
@@ -76,6 +76,7 @@ Seen run(const SpongeCase& c, double end) {
     const auto water = scene.template get<Water>();
     const auto sponge = scene.template get<typename Composition::Sponge>();
     const sph::DisplacementProbe<3> probe(sponge);
+    const double rim = scene.template get<typename Composition::Vessel>()[sph::position].col(2).maxCoeff();
     const int start = water.size();
     int left = 0, late = 0;
     Seen seen;
@@ -92,7 +93,7 @@ Seen run(const SpongeCase& c, double end) {
             for (int i = 0; i < water.size(); ++i) {
                 below += x(i, 2) < 0;
                 off += std::abs(double(rho(i)) / 1000 - 1) > 0.02;
-                if (x(i, 2) > -c.drain + 2 * c.water_spacing) // the walls end where the water leaves
+                if (x(i, 2) > -c.drain + 2 * c.water_spacing && x(i, 2) < rim) // below, the water leaves
                     seen.beyond_the_walls =
                         std::max({seen.beyond_the_walls, -double(x(i, 0)), double(x(i, 0)) - c.length()});
             }
