@@ -209,8 +209,7 @@ TEST_CASE("A state that only looks on leaves the forces the new pressure", "[sch
         particle(0, {0}, {2}), // pressure: of the new density for the force, and so for the work
         pair(0, {2, 0}, {3}),  // force
         pair(0, {2, 4}, {6}),  // work of the pressure
-        advance(0, 1, 0),
-        advance(0, 6, 5),
+        advance(0, 1, 0),         advance(0, 6, 5),
         particle(0, {5, 0}, {7}), // of the old energy, and of the old density: it is for the rate alone
         pair(0, {5, 7}, {6}),
     };
@@ -226,11 +225,7 @@ TEST_CASE("Two states that depend on each other advance together", "[schedule]")
     // 0 density, 1 its rate, 2 energy, 3 its rate, 4 pressure, 5 acceleration, 6 velocity
     const std::array<Row, 6> rows{
         particle(0, {0, 2}, {4}), // pressure: of both as they were, for both rates are made of it
-        pair(0, {4, 6}, {1}),
-        pair(0, {4, 6}, {3}),
-        advance(0, 1, 0),
-        advance(0, 3, 2),
-        pair(0, {4}, {5}),
+        pair(0, {4, 6}, {1}),     pair(0, {4, 6}, {3}), advance(0, 1, 0), advance(0, 3, 2), pair(0, {4}, {5}),
     };
     const Plan plan = schedule(rows, bits({0, 2, 6}));
     check_plan(rows, plan);
@@ -307,6 +302,19 @@ TEST_CASE("Two setters of one field", "[schedule]") {
         const std::array<Row, 2> rows{pair(0, {0}, {1}), particle(0, {0}, {})};
         CHECK(schedule(rows, bits({0})).fault == Fault::none);
     }
+}
+
+TEST_CASE("What is summed over all particles before a loop is not written in that loop", "[schedule]") {
+    // columns: 0 velocity, 1 density, 2 density rate, 3 pressure
+    std::array<Row, 4> rows{pair(0, {0}, {2}), adding(0, {1}, {2}), advance(0, 2, 1), particle(0, {1}, {3})};
+    const Plan together = schedule(std::array<Row, 3>{rows[1], rows[2], rows[3]}, bits({0, 1}));
+    CHECK(rows_of(together, 0) == std::vector{0, 1, 2});
+    rows[2].reads_all = true;
+    const Plan apart = schedule(std::array<Row, 3>{rows[1], rows[2], rows[3]}, bits({0, 1}));
+    REQUIRE(apart.fault == Fault::none);
+    CHECK(apart.size == 2);
+    CHECK(rows_of(apart, 0) == std::vector{0});
+    CHECK(rows_of(apart, 1) == std::vector{1, 2});
 }
 
 TEST_CASE("A cycle is reported by rows that are on it", "[schedule]") {

@@ -107,7 +107,7 @@ struct Composition {
     };
     template <class P, class F>
     static constexpr Row advance_row(Advance<P, F>) {
-        Row r{.phase = phase_index<P>, .advances = true};
+        Row r{.phase = phase_index<P>, .advances = true, .reads_all = std::is_same_v<F, Density>};
         r.reads.set(column<P, Rate<F>>);
         r.sets.set(column<P, F>);
         return r;

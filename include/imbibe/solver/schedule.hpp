@@ -82,6 +82,9 @@ struct Row {
     int phase = 0;         ///< the phase it writes to
     bool pair = false;     ///< a sum over neighbours, or a function of one particle
     bool advances = false; ///< moves a state by its rate; `sets` is the state, `reads` the rate
+    /// A particle row that begins a loop only when what it reads is there for all particles: where something is summed
+    /// over them before (keep_volume).
+    bool reads_all = false;
 };
 
 /// The chosen rows and all that write what they read, and so on; but none that advances a state, which is read as it
@@ -118,8 +121,8 @@ struct Plan {
     int size = 0;                 ///< how many steps
     int rounds = 0;               ///< how many rounds
     Fault fault = Fault::none;    ///< what is wrong
-    int column = -1;          ///< the column at fault
-    int row = -1, other = -1; ///< the rows at fault
+    int column = -1;              ///< the column at fault
+    int row = -1, other = -1;     ///< the rows at fault
 
     /// How many steps sweep over the neighbours of a phase.
     constexpr int sweeps(int phase) const {
@@ -163,9 +166,9 @@ public:
 private:
     const std::array<Row, n>& rows;
     Bits given;
-    Bits done;      // rows
-    Bits ancestors; // rows from which the rates of advanced states are computed
-    Bits advanced;  // columns
+    Bits done;                      // rows
+    Bits ancestors;                 // rows from which the rates of advanced states are computed
+    Bits advanced;                  // columns
     Bits providers[Bits::capacity]; // by column: the rows that write it
     Bits old[Bits::capacity];       // by row: the states that it sees as they were
     Plan plan;
@@ -352,7 +355,8 @@ private:
                 for (bool grew = true; grew;) {
                     grew = false;
                     for (int k = 0; k < static_cast<int>(n); ++k)
-                        if (!row(k).pair && row(k).phase == step.phase && !done.test(k) && ready(k)) {
+                        if (!row(k).pair && row(k).phase == step.phase && !done.test(k) && ready(k) &&
+                            !(row(k).reads_all && writes_what_it_reads(step, k))) {
                             append(step, k);
                             done.set(k);
                             grew = true;
@@ -361,6 +365,15 @@ private:
                 append(step);
             }
         }
+    }
+
+    constexpr bool writes_what_it_reads(const Step& step, int r) const {
+        for (int k = 0; k < step.size; ++k) {
+            const Row& before = row(step.rows[static_cast<std::size_t>(k)]);
+            if (((before.adds | before.sets) & row(r).reads).any())
+                return true;
+        }
+        return false;
     }
 
     // Does some row that is not done yet wait for what row r adds?
