@@ -38,6 +38,7 @@
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
 #include <imbibe/kernels/kernels.hpp>
+#include <imbibe/methods/corrected_gradients.hpp>
 #include <imbibe/methods/riemann_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/methods/weakly_compressible.hpp>

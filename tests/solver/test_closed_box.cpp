@@ -9,6 +9,7 @@
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/methods/corrected_gradients.hpp>
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
@@ -34,6 +35,8 @@ struct Shifted : sph::Fluid<sph::LinearState, sph::RiemannContinuity<K>, sph::Ri
                             sph::MorrisViscosity<K>, sph::ParticleShifting<K>> {};
 struct Plain : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {
 };
+/// Its continuity equation has a function of one particle.
+struct Corrected : sph::Fluid<sph::LinearState, sph::CorrectedGradients<K>, sph::MorrisViscosity<K>> {};
 
 constexpr double c = 10, nu = 1.0 / 50, k = 2 * std::numbers::pi;
 
@@ -85,6 +88,9 @@ TEST_CASE("A fluid that fills a periodic box keeps its volume, and its mean dens
         CHECK(std::abs(volume_of(water) - 1) < 1e-5);
         CHECK(std::abs(mean_density(water) - 1) < 1e-3);
     }
+    auto corrected = vortices<Corrected, 2, double>(16, 0.1);
+    corrected.run_until(0.1);
+    CHECK(std::abs(volume_of(corrected.get<Corrected>()) - 1) < 1e-12);
     auto two_stages = vortices<Plain, 2, double, sph::MidpointRungeKutta>(16, 0.1);
     two_stages.run_until(0.1);
     CHECK(std::abs(volume_of(two_stages.get<Plain>()) - 1) < 1e-12);

@@ -74,14 +74,15 @@ using EveryPairPart = TypeList<
     Case<RiemannWallNormal<>, Water, Sponge, false>, Case<RiemannWallPressure<>::Push, Water, Sponge, true>,
     Case<RiemannWallPressure<>::Push, Sponge, Water, true>, Case<RiemannWallContinuity<>, Water, Sponge, false>,
     Case<ClearyViscosity<>, Water, Water, true>, Case<ClearyViscosity<>, Water, Sponge, true>,
-    Case<CorrectionNeighbours<>, Water, Water, false>, Case<AntuonoDiffusion<>::Sum, Water, Water, false>,
+    Case<CorrectionNeighbours<>::Sum, Water, Water, false>, Case<AntuonoDiffusion<>::Sum, Water, Water, false>,
     Case<AntuonoDiffusion<>::Smooth, Water, Water, false>, Case<WideRepulsion, Water, Sponge, true>,
     Case<SurfaceNormalPressure<>::Push, Water, Sponge, true>, Case<SurfaceNormalPressure<>::Push, Sponge, Water, true>,
     Case<SurfaceNormal<>::Sum, Sponge, Sponge, false>, Case<ReferenceSurfaceNormal<>::Sum, Sponge, Sponge, false>,
-    Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>, Case<CorrectedContinuity<>::Sweep, Water, Water, false>,
+    Case<PairwiseShearForce<>::Push, Sponge, Sponge, true>, Case<CorrectedContinuity<>::Sum, Water, Water, false>,
     Case<CorrectedPressure<>::Push, Water, Water, true>, Case<CorrectedViscosity<>, Water, Water, true>,
     Case<CorrectedVelocityGradient<>, Sponge, Sponge, false>, Case<CorrectedStressForce<>::Push, Sponge, Sponge, true>,
-    Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<TransportAdvection<>, Water, Water, false>,
+    Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<ConcentrationNeighbours<>::Sum, Water, Water, false>,
+    Case<TransportAdvection<>, Water, Water, false>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
 

@@ -1,7 +1,7 @@
 // CorrectedVelocityGradient and CorrectedStressForce: exact gradients, in disorder and at free surfaces; equal and
 // opposite forces, no torque, and as much work as strain counts; simple shear in closed form; the period and the energy
 // of a bar.
-#include "cloud.hpp"
+#include "corrected_rate.hpp"
 
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/geometry/box.hpp>
@@ -36,7 +36,7 @@ Cloud<dim, Sponge> corrected_block(int n, double jitter, Velocity v) {
     auto solid = block<dim>(rubber_here(), n, jitter);
     for (auto& a : solid)
         a.set(volume, a[mass] / a[density]).set(velocity, vec<dim>(v(ColumnVector<dim>(plain(a[position])))));
-    gather(CorrectionNeighbours<K>{}, moment_matrix, solid, solid);
+    gather(CorrectionNeighbours<K>::Sum{}, moment_matrix, solid, solid);
     prepare(CurrentCorrection<K>::Invert{}, gradient_correction, solid);
     return solid;
 }
@@ -90,7 +90,7 @@ void check_force() {
         arm += x.norm() * f.norm();
         work += f.dot(plain(a[velocity]));
         strain += plain(a[volume]) * sigma.cwiseProduct(plain(sum(CorrectedVelocityGradient<K>{}, a, solid))).sum();
-        CHECK(plain(sum(CorrectedContinuity<K>::Sweep{}, a, solid)) ==
+        CHECK(corrected_rate<K>(a, solid) ==
               Approx(-1000 * plain(sum(CorrectedVelocityGradient<K>{}, a, solid)).trace()).epsilon(1e-9));
     }
     CHECK(worst_imbalance(Force::Push{}, solid, solid) == 0); // equal masses: to the last bit

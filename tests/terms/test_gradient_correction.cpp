@@ -31,7 +31,7 @@ void correct(Cloud<dim, Water>& fluid, Field_ rho) {
         p.set(density, rho(plain(p[position]))).set(volume, 1e-9);
     for (auto& p : fluid)
         p.set(volume, p[mass] / p[density]);
-    gather(CorrectionNeighbours<K>{}, moment_matrix, fluid, fluid);
+    gather(CorrectionNeighbours<K>::Sum{}, moment_matrix, fluid, fluid);
     prepare(Correction::Invert{}, gradient_correction, fluid);
     gather(Diffusion::Sum{}, raw_density_gradient, fluid, fluid);
     prepare(Diffusion::Correct{}, density_gradient, fluid);

@@ -259,6 +259,18 @@ IMBIBE_INLINE constexpr Tensor<T, n> full(const SymmetricTensor<T, n>& s) {
             t(i, j) = s(i, j);
     return t;
 }
+/// The sum of the products of all components, A:B, of symmetric tensors.
+template <class T, int n>
+IMBIBE_INLINE constexpr T dot(const SymmetricTensor<T, n>& a, const SymmetricTensor<T, n>& b) {
+    T diagonal = a(0, 0) * b(0, 0), off = T(0);
+    IMBIBE_UNROLL
+    for (int i = 1; i < n; ++i) {
+        diagonal += a(i, i) * b(i, i);
+        for (int j = 0; j < i; ++j)
+            off += a(j, i) * b(j, i);
+    }
+    return diagonal + 2 * off;
+}
 /// The determinant, n = 1, 2 or 3.
 template <class T, int n>
 IMBIBE_INLINE constexpr T determinant(const Tensor<T, n>& t) {

@@ -18,13 +18,15 @@ template <class Term>
 inline constexpr bool is_current_correction = false;
 template <class Kernel>
 inline constexpr bool is_current_correction<CurrentCorrection<Kernel>> = true;
+template <class Kernel>
+inline constexpr bool is_current_correction<InnerCorrection<Kernel>> = true;
 
 template <class List>
 inline constexpr bool any_corrects = false;
 template <class... Term>
 inline constexpr bool any_corrects<TypeList<Term...>> = (is_current_correction<Term> || ...);
 
-// Is CurrentCorrection one of the terms of the particle's phase?
+// Is CurrentCorrection or InnerCorrection one of the terms of the particle's phase?
 template <class Particle>
 inline constexpr bool corrects_gradients = false;
 template <class Particle>
@@ -53,9 +55,16 @@ IMBIBE_INLINE constexpr auto corrected_viscous_rate(const auto& a, const auto& b
 
 } // namespace detail
 
+/// sum_b V_b sym((v_b - v_a) (x) grad_a W_ab), 1/s: the rate of strain before its correction.
+struct RawStrainRate : Field<Rank::symmetric_tensor> {
+    static constexpr std::string_view name = "raw_strain_rate", unit = "1/s";
+};
+inline constexpr RawStrainRate raw_strain_rate{};
+
 /// drho_a/dt = rho_a sum_b V_b (v_a - v_b) . L_a grad_a W_ab, in kg/m^3/s, with the volumes V = m/rho and L of
-/// CurrentCorrection, which must stand beside it: exact for velocities that are linear in space, wherever the particles
-/// are.
+/// CurrentCorrection or InnerCorrection, which must stand beside it: exact for velocities that are linear in space,
+/// wherever L is the full inverse. It is computed as - rho L:E from the raw rate of strain E, so that L and the sums E
+/// take one sweep.
 ///
 /// In the fluid, together with CorrectedPressure. In its couplings CorrectionNeighbours `Into` the fluid, which is
 /// checked, and `Into` it this term or VolumeContinuity, which keeps a film off the wall for longer.
@@ -70,16 +79,24 @@ struct CorrectedContinuity {
     /// A wall that counts in the one sum and not in the other would throw water off.
     using beside_in_couplings = CorrectionNeighbours<Kernel>;
     using corrected_kernel = Kernel;
-    struct Sweep {
-        using reads = Fields<density, volume, velocity, gradient_correction>;
-        using adds = Fields<density_rate>;
+    struct Sum {
+        using reads = Fields<volume, velocity>;
+        using adds = Fields<raw_strain_rate>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            const auto corrected = a[gradient_correction] * ab.offset;
-            return a[density] * b[volume] * dot(a[velocity] - b[velocity], corrected) * ab.gradient(Kernel{});
+            return symmetric_part(outer(b[volume] * ab.gradient(Kernel{}) * (b[velocity] - a[velocity]), ab.offset));
         }
     };
-    using parts = Parts<Volume, Sweep>;
+    struct Rate {
+        using reads = Fields<density, gradient_correction, raw_strain_rate>;
+        using adds = Fields<density_rate>;
+        static constexpr bool in_packs = true;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+            return -a[density] * dot(a[gradient_correction], a[raw_strain_rate]);
+        }
+    };
+    using parts = Parts<Volume, Sum, Rate>;
 
     static constexpr const char* limit_name = "pressure between phases";
     /// In a coupling: that of interface_time_step, s.

@@ -1,8 +1,13 @@
 // Corrected gradients in a fluid, and the density diffusion that uses them.
 #pragma once
 
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/surface_indicator.hpp>
+#include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/moment_matrix.hpp>
+
+#include <cmath>
 
 namespace imbibe {
 
@@ -25,20 +30,24 @@ struct CurrentCorrectionParameters {
 
 /// The sum over neighbours of CurrentCorrection: M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab, without unit. A part of
 /// it, and a term of its own for couplings: `Into<Water, CorrectionNeighbours<>>` makes the particles of a wall or a
-/// solid count as neighbours. Without that gradients are corrected as if the wall were a free surface.
+/// solid, which needs its own Volume, count as neighbours. Without that gradients are corrected as if the wall were a
+/// free surface.
 /// Not in a phase, whose CurrentCorrection has it already.
 ///
 /// Source: Bonet and Lok (1999), whose correction is the inverse of it; see CurrentCorrection.
 template <class Kernel = WendlandC2>
 struct CorrectionNeighbours {
     using corrected_kernel = Kernel;
-    using reads = Fields<mass, density>;
-    using adds = Fields<moment_matrix>;
+    struct Sum {
+        using reads = Fields<volume>;
+        using adds = Fields<moment_matrix>;
 
-    IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
-        const auto weight = -(b[mass] / b[density] * ab.gradient(Kernel{}));
-        return weight * symmetric_part(outer(ab.offset, ab.offset));
-    }
+        IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
+            const auto weight = -(b[volume] * ab.gradient(Kernel{}));
+            return weight * symmetric_part(outer(ab.offset, ab.offset));
+        }
+    };
+    using parts = Parts<Volume, Sum>;
 };
 
 /// L_a = M_a^-1, without unit, from M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab with where the particles are now.
@@ -67,7 +76,73 @@ struct CurrentCorrection {
             return detail::inverse_or_identity(a[moment_matrix], parameters.full_above, parameters.none_below);
         }
     };
-    using parts = Parts<CorrectionNeighbours<Kernel>, Invert>;
+    using parts = Parts<Volume, typename CorrectionNeighbours<Kernel>::Sum, Invert>;
+};
+
+/// Coefficients of InnerCorrection.
+struct InnerCorrectionParameters {
+    /// The correction is full where 1/|M_a^-1|, nearly the least moment in any direction, is at least this share of
+    /// what it is on the lattice.
+    double full_above = 0.97;
+    /// No correction where it is below this share; a straight ramp between the two.
+    double none_below = 0.88;
+
+    /// Throws Error for a number out of range. @param where the phase in the message
+    void check(std::string_view where) const {
+        require_not_negative(none_below, where, "InnerCorrectionParameters::none_below", "");
+        require(full_above > none_below, where, ": InnerCorrectionParameters::full_above = ", full_above,
+                "; it must be above none_below, ", none_below);
+    }
+};
+
+/// What InnerCorrection computes of the lattice.
+struct PreparedInnerCorrection {
+    double full_above = 0.69, none_below = 0.62; ///< for 1/|M^-1| itself
+};
+
+/// L_a = 1 + t_a (M_a^-1 - 1), without unit, with M of CurrentCorrection and t_a = 1 inside the fluid and 0 at its free
+/// surface; sets the surface indicator, 1 - t_a, too.
+///
+/// Where particles are sheared out of their lattice M is not the identity, and a pressure p that all of the fluid is
+/// under resists the shear as a solid of up to 0.07 p would. The correction takes that away. At a free surface, where
+/// the pressure is small and the inverse is large, terms stay as they are without a correction: films and drops keep
+/// off walls, and no limit on the time step depends on L.
+///
+/// Instead of CurrentCorrection, beside CorrectedContinuity and CorrectedPressure, with StrainShifting or
+/// ParticleShifting. In a coupling, CorrectionNeighbours `Into` the fluid: a wall is no free surface.
+///
+/// Not for gradients that are to be exact at the free surface.
+///
+/// Source: the inverse, Randles and Libersky (1996), Bonet and Lok (1999); the stress -p M of the pair force and its
+/// gate are own.
+template <class Kernel = WendlandC2>
+struct InnerCorrection {
+    using corrected_kernel = Kernel;
+    using Parameters = InnerCorrectionParameters;
+    using Prepared = PreparedInnerCorrection;
+
+    struct Invert {
+        using reads = Fields<moment_matrix>;
+        using sets = Fields<gradient_correction, surface_indicator>;
+        static constexpr bool in_packs = true;
+        Prepared prepared{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+            const auto inverse = detail::gated_inverse(a[moment_matrix], prepared.full_above, prepared.none_below);
+            return values(inverse.matrix, 1 - inverse.trust);
+        }
+    };
+    using parts = Parts<Volume, typename CorrectionNeighbours<Kernel>::Sum, Invert>;
+
+    /// The shares of 1/|M^-1| = M_xx/sqrt(dim) of the lattice.
+    template <int dim>
+    static Prepared prepare(const auto&, const Lattice<dim>& lattice, const Parameters& parameters) {
+        const double moment = lattice.volume() / dim * lattice.sum([](const auto& ab) {
+            return -sq(ab.distance) * ab.gradient(Kernel{});
+        });
+        const double whole = moment / std::sqrt(dim);
+        return {.full_above = parameters.full_above * whole, .none_below = parameters.none_below * whole};
+    }
 };
 
 /// sum_b V_b (rho_b - rho_a) grad_a W_ab, kg/m^4: the gradient of the density before its correction.

@@ -3,6 +3,7 @@
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
+#include <imbibe/fluid/surface_indicator.hpp>
 #include <imbibe/kernels/wendland.hpp>
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 
 namespace imbibe {
 
-/// sum_b V_b (1 + R (W_ab/W(spacing))^4) grad_a W_ab, 1/m: towards where particles are many.
+/// sum_b V_b (1 + R (W_ab/W(spacing))^4) grad_a W_ab, 1/m: towards where particles are many. R is 0.2 in
+/// ParticleShifting and 0 in StrainShifting.
 struct ConcentrationGradient : Field<Rank::vector> {
     static constexpr std::string_view name = "concentration_gradient", unit = "1/m";
 };
@@ -22,13 +24,6 @@ struct PositionDivergence : Field<Rank::scalar> {
     static constexpr std::string_view name = "position_divergence", unit = "1";
 };
 inline constexpr PositionDivergence position_divergence{};
-
-/// 1 for a particle at a free surface, 0 inside.
-struct SurfaceIndicator : Field<Rank::scalar> {
-    static constexpr std::string_view name = "surface_indicator", unit = "1";
-    static constexpr bool shown = true;
-};
-inline constexpr SurfaceIndicator surface_indicator{};
 
 /// sum_b s_b W_ab/W(spacing), without unit, with the surface indicator s: how near the free surface is.
 struct SurfaceNearness : Field<Rank::scalar> {

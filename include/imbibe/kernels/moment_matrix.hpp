@@ -38,10 +38,17 @@ struct GreatestCorrection {
 
 namespace detail {
 
-// M^-1 where 1/|M^-1| is at least `full_above`, the identity where it is below `none_below`, a straight ramp between.
+/// M^-1 where it is trusted, the identity where it is not, and what is between by the share `trust`.
 template <class T, int dim>
-IMBIBE_INLINE constexpr SymmetricTensor<T, dim> inverse_or_identity(const SymmetricTensor<T, dim>& moments,
-                                                                    double full_above, double none_below) {
+struct GatedInverse {
+    SymmetricTensor<T, dim> matrix;
+    T trust; ///< from 0 to 1
+};
+
+// Trusts M^-1 where 1/|M^-1| is at least `full_above`, not where it is below `none_below`, a straight ramp between.
+template <class T, int dim>
+IMBIBE_INLINE constexpr GatedInverse<T, dim> gated_inverse(const SymmetricTensor<T, dim>& moments, double full_above,
+                                                           double none_below) {
     const auto M = full(moments);
     const auto cofactors = adjugate(M);
     T squares = T(0);
@@ -51,7 +58,13 @@ IMBIBE_INLINE constexpr SymmetricTensor<T, dim> inverse_or_identity(const Symmet
     const T size = max(sqrt(squares), T(1e-30)), det = determinant(M);
     const T trust = min(positive_part((det / size - none_below) / max(full_above - none_below, 1e-30)), T(1));
     const auto inverted = symmetric_part(cofactors / max(det, T(max(none_below, 1e-6)) * size));
-    return trust * inverted + (1 - trust) * symmetric_identity<T, dim>();
+    return {trust * inverted + (1 - trust) * symmetric_identity<T, dim>(), trust};
+}
+
+template <class T, int dim>
+IMBIBE_INLINE constexpr SymmetricTensor<T, dim> inverse_or_identity(const SymmetricTensor<T, dim>& moments,
+                                                                    double full_above, double none_below) {
+    return gated_inverse(moments, full_above, none_below).matrix;
 }
 
 } // namespace detail

@@ -1,0 +1,15 @@
+// Where the free surface of a fluid is, as terms that look for it tell others.
+#pragma once
+
+#include <imbibe/core/term.hpp>
+
+namespace imbibe {
+
+/// 1 for a particle at a free surface, 0 inside.
+struct SurfaceIndicator : Field<Rank::scalar> {
+    static constexpr std::string_view name = "surface_indicator", unit = "1";
+    static constexpr bool shown = true;
+};
+inline constexpr SurfaceIndicator surface_indicator{};
+
+} // namespace imbibe
