@@ -16,6 +16,9 @@ struct Water : sph::Fluid<sph::Tait<7>, sph::Continuity<K>, sph::SymmetricPressu
 struct Tank : sph::Wall<> {};
 struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>> {};
 struct Calm : sph::Fluid<sph::LinearState, sph::Continuity<K>, sph::SymmetricPressure<K>> {};
+struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {
+};
+struct CorrectedSyrup : sph::Fluid<sph::LinearState, sph::CorrectedGradients<K>, sph::MorrisViscosity<K>> {};
 using Scene = sph::Solver<2, float, sph::SymplecticEuler, Water, Tank, Sides>;
 
 template <int>
@@ -126,6 +129,24 @@ TEST_CASE("The report names nothing that is off", "[reports]") {
 #endif
     Scene viscous = dam();
     says(sph::describe(viscous), "iscosity"); // it is seen where it is on
+}
+
+TEST_CASE("The report says how the lattice of a fluid under pressure resists shear", "[reports]") {
+    constexpr double dx = 0.02;
+    sph::Solver<2, double, sph::SymplecticEuler, Syrup> scene({.support_radius = 2.2 * dx, .threads = 1});
+    const auto syrup = scene.add(Syrup{{.density = 1000, .sound_speed = 10, .viscosity = 2}},
+                                 sph::fill(sph::Box<2>{{0, 0}, {0.2, 0.2}}, dx), dx);
+    CHECK(sph::describe(scene).find("lattice:") == std::string::npos); // without pressure
+    scene[syrup][sph::density].setConstant(1001);                      // 100 Pa, of which it is 0.0396
+    says(sph::describe(scene),
+         "    lattice: under its greatest pressure, some 100 Pa, it gives way to slow shear with up to "
+         "3.956");
+    says(sph::describe(scene), " Pa, as much as its viscosity at 1.978");
+    sph::Solver<2, double, sph::SymplecticEuler, CorrectedSyrup> corrected({.support_radius = 2.2 * dx, .threads = 1});
+    corrected.add(CorrectedSyrup{{.density = 1000, .sound_speed = 10, .viscosity = 2}},
+                  sph::fill(sph::Box<2>{{0, 0}, {0.2, 0.2}}, dx), dx);
+    corrected.get<CorrectedSyrup>()[sph::density].setConstant(1001);
+    CHECK(sph::describe(corrected).find("lattice:") == std::string::npos);
 }
 
 TEST_CASE("The report says what the first step will be", "[reports]") {

@@ -227,4 +227,41 @@ TEST_CASE("A lattice sums over the neighbours within its support, the particle l
           Approx(1).margin(0.01));
 }
 
+/// M_xy = - sum V x y F of a lattice that is turned and then sheared by gamma.
+template <int dim>
+double sheared_moment(double H, double turned, double gamma) {
+    const double cosine = std::cos(turned), sine = std::sin(turned);
+    double sum = 0;
+    sph::Lattice<dim>{1, H + 1}.sum([&](const auto& ab) {
+        const double y = cosine * ab.offset[1] - sine * ab.offset[0],
+                     x = cosine * ab.offset[0] + sine * ab.offset[1] + gamma * y,
+                     r = std::sqrt(x * x + y * y + (dim == 3 ? sph::sq(ab.offset[dim - 1]) : 0));
+        if (r < H) {
+            const auto offset = sph::Vector<double, dim>::filled(r / std::sqrt(dim));
+            sum -= x * y * sph::Pair<dim, double>(offset, r, sph::SupportRadius(H), {}).gradient(K{});
+        }
+        return 0.0;
+    });
+    return sum;
+}
+template <int dim>
+void check_stiffness(double H) {
+    const double d = 1e-5, quarter = std::atan(1);
+    const auto stiffness = [&](double turned) {
+        return -(sheared_moment<dim>(H, turned, d) - sheared_moment<dim>(H, turned, -d)) / (2 * d);
+    };
+    const double axes = stiffness(0), diagonals = stiffness(quarter);
+    const double greatest = std::abs(axes) > std::abs(diagonals) ? axes : diagonals;
+    CAPTURE(dim, H, axes, diagonals);
+    CHECK((sph::Lattice<dim>{1e-3, H * 1e-3}.template shear_stiffness<K>()) == Approx(greatest).epsilon(1e-5));
+}
+
+TEST_CASE("A lattice under pressure resists shear as the slope of its sheared moments says", "[sums]") {
+    for (const double H : {2.2, 2.6, 3.0, 4.0}) {
+        check_stiffness<2>(H);
+        check_stiffness<3>(H);
+    }
+    CHECK(sph::Lattice<2>{1, 2.2}.shear_stiffness<K>() == Approx(-0.0396).epsilon(0.002));
+}
+
 } // namespace own_support_test

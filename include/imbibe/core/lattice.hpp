@@ -17,6 +17,24 @@ struct Lattice {
 
     /// The volume of a particle, m^dim.
     constexpr double volume() const { return power<dim>(spacing); }
+    /// G/p, without unit: how a pressure p that all particles have, as a force p V_a V_b grad W between each pair,
+    /// resists shear that is slow, as an elastic solid of the shear modulus G does. Of shear along the axes and along
+    /// the diagonals the one where it is larger; it may be negative, then the lattice gives way by itself.
+    ///
+    /// The stress of that force is - p M, M = - sum_b V_b x_ab (x) grad_a W_ab, and M is not the identity in a sheared
+    /// lattice: G/p = - dM_xy/dgamma. Source: own.
+    template <class Kernel>
+    double shear_stiffness() const {
+        const auto along = [&](double cosine, double sine) {
+            return volume() * sum([&](const auto& ab) {
+                       const double x = cosine * ab.offset[0] + sine * ab.offset[1],
+                                    y = cosine * ab.offset[1] - sine * ab.offset[0], slope = ab.gradient(Kernel{});
+                       return sq(y) * (slope + sq(x / ab.distance) * (ab.second_derivative(Kernel{}) - slope));
+                   });
+        };
+        const double axes = along(1, 0), diagonals = along(std::sqrt(0.5), std::sqrt(0.5));
+        return std::abs(axes) > std::abs(diagonals) ? axes : diagonals;
+    }
     /// The sum of f(ab) over the pairs ab of a particle with its neighbours within the support radius, itself left out;
     /// `ab` is a `Pair<dim, double>` without gravity. In the order of places, the same on every machine.
     template <class F>

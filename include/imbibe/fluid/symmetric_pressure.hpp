@@ -1,6 +1,7 @@
 // The pressure gradient in the form that conserves momentum pair by pair.
 #pragma once
 
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/state/wave_speed.hpp>
 
@@ -47,6 +48,12 @@ struct SymmetricPressure {
         }
     };
     using parts = Parts<Prepare, Push>;
+
+    /// Of a pressure, without unit: how much of it resists slow shear (Lattice::shear_stiffness).
+    template <int dim>
+    static double shear_stiffness(const Lattice<dim>& lattice) {
+        return lattice.template shear_stiffness<Kernel>();
+    }
 
     static constexpr const char* limit_name = "pressure between phases";
     /// In a coupling: that of mass_weighted_interface_time_step, s.

@@ -1,6 +1,7 @@
 // The pressure force between volumes: the form for interfaces, where the density jumps.
 #pragma once
 
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/state/wave_speed.hpp>
@@ -28,7 +29,9 @@ enum class Tension {
 /// from which it is to part. PressureExtrapolation without suction does not see to that alone: a fluid particle whose
 /// own pressure is negative still pulls at the wall, and single drops stick to it.
 ///
-/// Not without something against clumping where the pressure is negative (DensityFloor, particle shifting). Not where
+/// Not for flow that is slow under a high pressure p: a lattice of particles resists it like an elastic solid of up to
+/// 0.07 p, or gives way by itself (`describe` has the number, docs/validation.md, kolmogorov). CorrectedGradients does
+/// not. Not without something against clumping where the pressure is negative (DensityFloor, particle shifting). Not where
 /// the volume of a particle is not m/rho.
 ///
 /// Source: Colagrossi and Landrini (2003); the same average of volumes and pressures, Hu and Adams (2006).
@@ -48,6 +51,12 @@ struct VolumePressure {
         }
     };
     using parts = Parts<Volume, Push>;
+
+    /// Of a pressure, without unit: how much of it resists slow shear (Lattice::shear_stiffness).
+    template <int dim>
+    static double shear_stiffness(const Lattice<dim>& lattice) {
+        return lattice.template shear_stiffness<Kernel>();
+    }
 
     static constexpr const char* limit_name = "pressure between phases";
     /// In a coupling: that of interface_time_step, s.

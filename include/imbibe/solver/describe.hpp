@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/solver/costs.hpp>
 #include <imbibe/solver/solver.hpp>
 
@@ -28,6 +29,28 @@ std::string names_of(TypeList<Term...>) {
     return type_names({signature<Term>()...});
 }
 
+/// What share of a pressure resists slow shear of a phase, by the first of its terms that says so; 0: none does.
+template <int dim, class P>
+double shear_stiffness_of(const P&, TypeList<>) {
+    return 0;
+}
+template <int dim, class P, class First, class... Rest>
+double shear_stiffness_of(const P& material, TypeList<First, Rest...>) {
+    const Lattice<dim> lattice{material.spacing, material.support_radius};
+    if constexpr (requires { First::shear_stiffness(lattice); })
+        return First::shear_stiffness(lattice);
+    else
+        return shear_stiffness_of<dim>(material, TypeList<Rest...>{});
+}
+
+/// Pa s; 0 for a phase without.
+double viscosity_of(const auto& material) {
+    if constexpr (requires { material.viscosity; })
+        return material.viscosity;
+    else
+        return 0;
+}
+
 /// The numbers of a phase's material, in words.
 template <class P>
 std::string material_in_words(const P& material) {
@@ -46,7 +69,9 @@ std::string material_in_words(const P& material) {
 struct TypesInWords {
     struct PhaseInWords {
         std::string material, effects;
-        int sweeps = 0; ///< a step
+        int sweeps = 0;             ///< a step
+        double shear_stiffness = 0; ///< what share of a pressure resists slow shear
+        double viscosity = 0;       ///< Pa s
     };
     std::vector<PhaseInWords> phases;
     std::vector<std::string> couplings; ///< their effects
@@ -77,14 +102,17 @@ std::string describe(Scene& scene) {
         .phases = {}, .couplings = {}, .loads = {}, .rounds = Costs::rounds, .loops = Costs::loops};
     engine.for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
         types.phases.push_back(
-            {detail::material_in_words(s.material), detail::names_of(typename P::terms{}), Costs::template sweeps<P>});
+            {.material = detail::material_in_words(s.material),
+             .effects = detail::names_of(typename P::terms{}),
+             .sweeps = Costs::template sweeps<P>,
+             .shear_stiffness = detail::shear_stiffness_of<Scene::dimension>(s.material, typename P::terms{}),
+             .viscosity = detail::viscosity_of(s.material)});
     });
     [&]<class... C>(TypeList<C...>) {
         (types.couplings.push_back(detail::names_of(typename C::terms{})), ...);
     }(typename Scene::Couplings{});
-    engine.for_each_link([&]<class L>(L, const detail::Link&) {
-        types.loads.push_back(Costs::template loads_of_link<L>);
-    });
+    engine.for_each_link(
+        [&]<class L>(L, const detail::Link&) { types.loads.push_back(Costs::template loads_of_link<L>); });
     detail::LimitsInWords limits{scene.time_step_limits(), {}, scene.next_step()};
     if constexpr (Scene::subcycles)
         limits.substep = scene.substep_limits();

@@ -4,6 +4,9 @@
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/scene_watch.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace imbibe::detail {
 
 /// The name of the type in a signature.
@@ -35,6 +38,22 @@ IMBIBE_CODE std::string limits_in_words(const std::vector<TimeStepLimit>& limits
         words += text(" ", limit.seconds, " s (", limit.reason, ", ", limit.where, ");");
     return words;
 }
+/// A line that says how the lattice of a fluid under pressure resists slow shear, or none.
+template <int dim, class Real>
+std::string stiffness_in_words(const PhaseStore<dim, Real>& s, const TypesInWords::PhaseInWords& words) {
+    const PhaseNumbers numbers = s.numbers();
+    double pressure = 0; // from the density, as it is before the first step too
+    for (int i = 0; i < s.size(); ++i)
+        pressure = std::max(pressure, sq(numbers.sound_speed) *
+                                          std::abs(static_cast<double>(s.column(s.row->density)[i]) - numbers.density));
+    const double modulus = std::abs(words.shear_stiffness) * pressure; // Pa
+    if (modulus == 0 || words.viscosity == 0)
+        return {};
+    return text("    lattice: under its greatest pressure, some ", pressure, " Pa, it ",
+                words.shear_stiffness > 0 ? "resists" : "gives way to", " slow shear with up to ", modulus,
+                " Pa, as much as its viscosity at ", modulus / words.viscosity,
+                " 1/s; where that counts, take the method CorrectedGradients\n");
+}
 /// A line that names the pairs of phases between which nothing acts, or none.
 template <int dim, class Real>
 std::string uncoupled_in_words(const SceneStore<dim, Real>& scene) {
@@ -64,7 +83,7 @@ std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings
                     "\n    fields:  ");
         for (std::size_t f = 0; f < s.row->fields.size(); ++f)
             out.append(f == 0 ? "" : ", ").append(s.row->fields[f].name);
-        out += text("\n    sweeps:  ", types.phases[k].sweeps, " a step\n");
+        out += text("\n    sweeps:  ", types.phases[k].sweeps, " a step\n") + stiffness_in_words(s, types.phases[k]);
     }
     for (std::size_t k = 0; k < types.couplings.size(); ++k) {
         const CouplingRow& row = scene.table.couplings[k];
