@@ -32,6 +32,7 @@ struct WaterMonaghan : WaterWith<MonaghanViscosity<K>> {};
 struct WaterLaminar : WaterWith<LaminarViscosity<>> {};
 struct WaterMorris : WaterWith<MorrisViscosity<K>> {};
 struct WaterCleary : WaterWith<ClearyViscosity<K>> {};
+struct WaterPaste : WaterWith<GeneralisedNewtonianViscosity<Carreau, K>> {};
 struct WaterDiffusion : WaterWith<DensityDiffusion<K>> {};
 struct WaterFloor : WaterWith<DensityFloor> {};
 struct WaterXsph : WaterWith<Xsph<K>, XsphTransport> {};
@@ -45,6 +46,8 @@ struct WaterSummationFloor : WaterWith<SummationFloor<K>> {};
 struct WaterRelaxed : WaterWith<SummationRelaxation<K>> {};
 struct WaterTensionless : Fluid<LinearState, VolumeContinuity<K>, VolumePressure<K, Tension::none>> {};
 struct WaterCorrected : Fluid<LinearState, CurrentCorrection<K>, CorrectedContinuity<K>, CorrectedPressure<K>> {};
+struct WaterSlow
+    : Fluid<LinearState, InnerCorrection<K>, CorrectedContinuity<K>, CorrectedPressure<K>, StrainShifting<K>> {};
 struct WaterCorrectedViscosity : WaterWith<CurrentCorrection<K>, CorrectedViscosity<K>> {};
 struct WaterAntuono : WaterWith<CurrentCorrection<K>, AntuonoDiffusion<K>> {};
 struct Rubber : RubberWith<> {};
@@ -95,6 +98,9 @@ struct FloorRiemann : Riemann<Floor> {};
 struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};
 struct CorrectedFloor : CorrectedExtrapolation<> {};
 struct CorrectedFloorNoSlip : CorrectedExtrapolation<Into<Floor, NoSlipVelocity<K>>, CorrectedNoSlipViscosity<K>> {};
+struct PasteFloor : ExtrapolationOf<WaterPaste, Floor> {};
+struct PasteFloorNoSlip : ExtrapolationOf<WaterPaste, Floor, Into<Floor, NoSlipVelocity<K>>,
+                                          Into<WaterPaste, NoSlipStrainRate<K>>, NoSlipApparentViscosity<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -109,6 +115,8 @@ P material() {
         P fluid{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
         if constexpr (std::is_same_v<P, WaterRelaxed>)
             fluid.set(SummationRelaxationParameters{.time = 1}); // it has no default
+        if constexpr (std::is_same_v<P, WaterPaste>)
+            fluid.set(CarreauParameters{.at_rest = 0.056, .fast = 0.00345, .time = 3.313, .exponent = 0.3568}); // blood
         return fluid;
     }
 }
@@ -189,6 +197,7 @@ Cases all_cases() {
     add<WaterLaminar>(cases, "`LaminarViscosity`", "the sponge paper's viscosity");
     add<WaterMorris>(cases, "`MorrisViscosity`", "real viscosity, where channels and boundary layers count");
     add<WaterCleary>(cases, "`ClearyViscosity`", "real viscosity that keeps angular momentum; jumps of viscosity");
+    add<WaterPaste>(cases, "`GeneralisedNewtonianViscosity` with `Carreau`", "liquids that thin, thicken or yield");
     add<WaterDiffusion>(cases, "`DensityDiffusion`", "a smooth pressure");
     add<WaterFloor>(cases, "`DensityFloor`", "splashes: no tension where drops part");
     add<WaterXsph>(cases, "`Xsph` with `XsphTransport`", "particles that move with their neighbours, in order");
@@ -202,6 +211,10 @@ Cases all_cases() {
         cases,
         "`CorrectedContinuity` and `CorrectedPressure` with `CurrentCorrection` in place of continuity and pressure",
         "waves and vortices that keep their energy");
+    add<WaterSlow>(cases,
+                   "`CorrectedContinuity`, `CorrectedPressure` and `StrainShifting`, whose sum is "
+                   "`ConcentrationNeighbours`, with `InnerCorrection` in place of continuity and pressure",
+                   "flow that is slow under a high pressure (the method `CorrectedGradients`)");
     add<WaterCorrectedViscosity>(cases,
                                  "`CorrectedViscosity` with `CurrentCorrection`, whose sums are `CorrectionNeighbours`",
                                  "real viscosity to the last per mille");
@@ -265,6 +278,11 @@ Cases all_cases() {
         "what the row below is compared with");
     add_contact<CorrectedFloorNoSlip>(cases, "`NoSlipVelocity` and `CorrectedNoSlipViscosity`",
                                       "walls that such a fluid sticks to");
+    add_contact<PasteFloor>(cases,
+                            "a fluid with `GeneralisedNewtonianViscosity` on a floor with `PressureExtrapolation`",
+                            "what the row below is compared with");
+    add_contact<PasteFloorNoSlip>(cases, "`NoSlipVelocity`, `NoSlipStrainRate` and `NoSlipApparentViscosity`",
+                                  "walls that such a fluid sticks to");
     add<Slab, OnTop<Water, Slab>>(cases, "the plain fluid on a total-Lagrangian slab that it does not see",
                                   "what the rows below are compared with");
     add_contact<SlabExtrapolation>(

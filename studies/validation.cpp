@@ -13,6 +13,8 @@
 #include <cases/validation/elastic_baffle.hpp>
 #include <cases/validation/elastic_gate.hpp>
 #include <cases/validation/elliptic_drop.hpp>
+#include <cases/validation/kolmogorov.hpp>
+#include <cases/validation/laws_of_flow.hpp>
 #include <cases/validation/one_pore.hpp>
 #include <cases/validation/orifice.hpp>
 #include <cases/validation/oscillating_plate.hpp>
@@ -43,6 +45,8 @@ int main(int argc, char** argv) {
         {"still-water", "particles along a side", {20, 40}, still_water::measure},
         {"poiseuille", "particles across the gap", {12, 25, 50}, plates::measure_poiseuille},
         {"taylor-green", "particles along a side", {50, 100}, taylor_green::measure},
+        {"kolmogorov", "particles along a side", {32, 64}, kolmogorov::measure},
+        {"laws-of-flow", "particles across the gap", {12, 25}, laws_of_flow::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},

@@ -103,7 +103,8 @@ struct NoSlipPlates
     : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {};
 struct CorrectedNoSlipPlates
     : sph::Coupling<CorrectedSyrup, Plates, sph::Into<CorrectedSyrup, sph::CorrectionNeighbours<C2>>,
-                    sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::CorrectedNoSlipViscosity<C2>> {};
+                    sph::Into<Plates, sph::Volume>, sph::Into<Plates, sph::NoSlipVelocity<C2>>,
+                    sph::CorrectedNoSlipViscosity<C2>> {};
 struct RiemannPlates : sph::Coupling<Sound, Plates, sph::Into<Sound, sph::RiemannWallNormal<C2>>,
                                      sph::RiemannWallPressure<C2>, sph::Into<Sound, sph::RiemannWallContinuity<C2>>> {};
 

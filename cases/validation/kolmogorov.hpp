@@ -59,10 +59,8 @@ struct Run {
 };
 /// What is seen of it.
 struct Seen {
-    double viscosity = 0;        ///< over nu
-    double off_density = 0;      ///< (rho - mean rho)/mean rho at the end, root mean square
-    double momentum = 0;         ///< along x at the end, over that of U
-    double pair_evaluations = 0; ///< the work, see imbibe::accuracy
+    double viscosity = 0;   ///< over nu
+    double off_density = 0; ///< (rho - mean rho)/mean rho at the end, root mean square
 };
 
 /// @tparam Liquid Plain or Corrected
@@ -103,10 +101,8 @@ Seen flow(const Run& run) {
     const double square = sph::sq(wave_number);
     seen.viscosity = (nu * square - (last - first) / (scene.time() - begun)) / (square * sum / times) / nu;
     const auto view = scene[oil];
-    for (int i = 0; i < view.size(); ++i) {
+    for (int i = 0; i < view.size(); ++i)
         seen.off_density += sph::sq(view[sph::density](i) / density - 1) / view.size();
-        seen.momentum += view[sph::velocity](i, 0) / view.size();
-    }
     seen.off_density = std::sqrt(seen.off_density);
     return seen;
 }

@@ -25,6 +25,7 @@
 #include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
 #include <imbibe/fluid/density_floor.hpp>
+#include <imbibe/fluid/generalised_newtonian.hpp>
 #include <imbibe/fluid/gradient_correction.hpp>
 #include <imbibe/fluid/laminar_viscosity.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
@@ -83,6 +84,7 @@
 #include <imbibe/time/symplectic_euler.hpp>
 #include <imbibe/version.hpp>
 #include <imbibe/wall/corrected_no_slip.hpp>
+#include <imbibe/wall/generalised_no_slip.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 #include <imbibe/wall/reaction_force.hpp>

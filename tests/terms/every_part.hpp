@@ -10,11 +10,13 @@
 #include <imbibe/fluid/continuity.hpp>
 #include <imbibe/fluid/corrected_gradients.hpp>
 #include <imbibe/fluid/density_diffusion.hpp>
+#include <imbibe/fluid/generalised_newtonian.hpp>
 #include <imbibe/fluid/gradient_correction.hpp>
 #include <imbibe/fluid/laminar_viscosity.hpp>
 #include <imbibe/fluid/monaghan_viscosity.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/fluid/particle_shifting.hpp>
+#include <imbibe/fluid/strain_shifting.hpp>
 #include <imbibe/fluid/summation_density.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/transport_advection.hpp>
@@ -29,6 +31,7 @@
 #include <imbibe/solid/volumetric_deviatoric.hpp>
 #include <imbibe/solid/xsph.hpp>
 #include <imbibe/wall/corrected_no_slip.hpp>
+#include <imbibe/wall/generalised_no_slip.hpp>
 #include <imbibe/wall/no_slip.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 #include <imbibe/wall/reaction_force.hpp>
@@ -83,6 +86,9 @@ using EveryPairPart = TypeList<
     Case<CorrectedVelocityGradient<>, Sponge, Sponge, false>, Case<CorrectedStressForce<>::Push, Sponge, Sponge, true>,
     Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<ConcentrationNeighbours<>::Sum, Water, Water, false>,
     Case<TransportAdvection<>, Water, Water, false>,
+    Case<GeneralisedNewtonianViscosity<Carreau>::Sum, Water, Water, false>,
+    Case<GeneralisedNewtonianViscosity<Carreau>::Push, Water, Water, true>,
+    Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>, Case<NoSlipApparentViscosity<>, Water, Sponge, true>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
 
@@ -125,7 +131,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(surface_normal, dice.vector<dim>(0.5));
     p.set(gradient_correction, symmetric_part(t)).set(corrected_stress, t);
     p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
-    p.set(transport_correction, dice.vector<dim>(0.1));
+    p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
     return p;
 }
 
