@@ -304,17 +304,27 @@ TEST_CASE("Two setters of one field", "[schedule]") {
     }
 }
 
-TEST_CASE("What is summed over all particles before a loop is not written in that loop", "[schedule]") {
-    // columns: 0 velocity, 1 density, 2 density rate, 3 pressure
-    std::array<Row, 4> rows{pair(0, {0}, {2}), adding(0, {1}, {2}), advance(0, 2, 1), particle(0, {1}, {3})};
-    const Plan together = schedule(std::array<Row, 3>{rows[1], rows[2], rows[3]}, bits({0, 1}));
-    CHECK(rows_of(together, 0) == std::vector{0, 1, 2});
-    rows[2].reads_all = true;
-    const Plan apart = schedule(std::array<Row, 3>{rows[1], rows[2], rows[3]}, bits({0, 1}));
+TEST_CASE("What waits for a sum over all particles is in no loop with what is summed", "[schedule]") {
+    // columns: 0 velocity, 1 density, 2 density rate, 3 pressure; rows: continuity, relaxation, advance, pressure
+    std::array<Row, 4> rows{adding(0, {0}, {2}), adding(0, {1}, {2}), advance(0, 2, 1), particle(0, {1}, {3})};
+    CHECK(rows_of(schedule(rows, bits({0, 1})), 0) == std::vector{0, 1, 2, 3});
+    rows[0].summed = rows[1].waits_for_all = rows[2].waits_for_all = true;
+    const Plan apart = schedule(rows, bits({0, 1}));
     REQUIRE(apart.fault == Fault::none);
-    CHECK(apart.size == 2);
+    REQUIRE(apart.size == 2);
     CHECK(rows_of(apart, 0) == std::vector{0});
-    CHECK(rows_of(apart, 1) == std::vector{1, 2});
+    CHECK(rows_of(apart, 1) == std::vector{1, 2, 3});
+    // the relaxation first in the list, or nothing to sum: then nobody waits
+    std::swap(rows[0], rows[1]);
+    CHECK(rows_of(schedule(rows, bits({0, 1})), 0) == std::vector{1});
+    rows[1].summed = false;
+    CHECK(schedule(rows, bits({0, 1})).size == 1);
+    rows[1] = pair(0, {0}, {2});
+    rows[1].summed = true; // a sweep is a loop of its own, but the relaxation waits all the same
+    const Plan swept = schedule(rows, bits({0, 1}));
+    REQUIRE(swept.size == 2);
+    CHECK(rows_of(swept, 0) == std::vector{1});
+    CHECK(rows_of(swept, 1) == std::vector{0, 2, 3});
 }
 
 TEST_CASE("A cycle is reported by rows that are on it", "[schedule]") {

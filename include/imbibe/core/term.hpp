@@ -36,6 +36,8 @@
 //     spacing, support radius and dimension (lattice.hpp). They are computed before the first step and when a program
 //     may have changed coefficients, and fill the member `Prepared prepared;` of its parts;
 //   - `using reductions = Parts<...>`: what its fields are summed up to, or are at most or least, see Sum, Max and Min;
+//   - `static constexpr bool changes_volume = true`: its rate of the density ties that to where the particles are, and
+//     is not taken out of the volume of a fluid that fills a periodic box (closed_fluid.hpp);
 //   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
 //     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that

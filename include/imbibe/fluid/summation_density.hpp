@@ -121,6 +121,7 @@ struct SummationFloorParameters {
 /// Source: Zhang, Rezavand and Hu (2020), the reinitialisation at free surfaces.
 template <class Kernel = WendlandC2>
 struct SummationFloor {
+    static constexpr bool changes_volume = true;
     using Parameters = SummationFloorParameters;
 
     struct Raise {

@@ -38,6 +38,7 @@ struct SummationRelaxationParameters {
 /// little, so that no step has a jump and an integrator need not know.
 template <class Kernel = WendlandC2>
 struct SummationRelaxation {
+    static constexpr bool changes_volume = true;
     using Parameters = SummationRelaxationParameters;
 
     struct Pull {

@@ -75,12 +75,17 @@ struct Composition {
     }
     template <class N>
     static constexpr Row row_of() {
+        constexpr bool pair = detail::is_pair_node<dim, N>,
+                       changes_density = !pair && detail::contains<Rate<Density>, typename N::Adds>,
+                       changes_volume = requires { requires N::Term::changes_volume; };
         return {.reads = columns<typename N::A>(detail::ReadsOnA<dim, N>{}) |
                          columns<typename N::B>(detail::ReadsOnB<dim, N>{}),
                 .adds = columns<typename N::A>(typename N::Adds{}),
                 .sets = columns<typename N::A>(typename N::Sets{}),
                 .phase = phase_index<typename N::A>,
-                .pair = detail::is_pair_node<dim, N>};
+                .pair = pair,
+                .summed = changes_density && !changes_volume,
+                .waits_for_all = changes_density && changes_volume};
     }
     template <class N>
     static constexpr bool declarations_fit =
@@ -107,7 +112,7 @@ struct Composition {
     };
     template <class P, class F>
     static constexpr Row advance_row(Advance<P, F>) {
-        Row r{.phase = phase_index<P>, .advances = true, .reads_all = std::is_same_v<F, Density>};
+        Row r{.phase = phase_index<P>, .advances = true, .waits_for_all = std::is_same_v<F, Density>};
         r.reads.set(column<P, Rate<F>>);
         r.sets.set(column<P, F>);
         return r;

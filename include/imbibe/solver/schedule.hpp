@@ -82,9 +82,9 @@ struct Row {
     int phase = 0;         ///< the phase it writes to
     bool pair = false;     ///< a sum over neighbours, or a function of one particle
     bool advances = false; ///< moves a state by its rate; `sets` is the state, `reads` the rate
-    /// A particle row that begins a loop only when what it reads is there for all particles: where something is summed
-    /// over them before (keep_volume).
-    bool reads_all = false;
+    /// A particle row whose results are summed over all particles before any row of its phase that `waits_for_all` is
+    /// evaluated, which is therefore not in one loop with it: a rate of the density, before the volume is kept.
+    bool summed = false, waits_for_all = false;
 };
 
 /// The chosen rows and all that write what they read, and so on; but none that advances a state, which is read as it
@@ -348,7 +348,7 @@ private:
         for (bool any = true; any;) {
             any = false;
             for (int r = 0; r < static_cast<int>(n); ++r) {
-                if (row(r).pair || done.test(r) || !ready(r))
+                if (row(r).pair || done.test(r) || !ready(r) || (row(r).waits_for_all && waits_for_sum({}, r)))
                     continue;
                 any = true;
                 Step step{.sweep = false, .phase = row(r).phase, .round = plan.rounds};
@@ -356,7 +356,7 @@ private:
                     grew = false;
                     for (int k = 0; k < static_cast<int>(n); ++k)
                         if (!row(k).pair && row(k).phase == step.phase && !done.test(k) && ready(k) &&
-                            !(row(k).reads_all && writes_what_it_reads(step, k))) {
+                            !(row(k).waits_for_all && waits_for_sum(step, k))) {
                             append(step, k);
                             done.set(k);
                             grew = true;
@@ -367,12 +367,14 @@ private:
         }
     }
 
-    constexpr bool writes_what_it_reads(const Step& step, int r) const {
-        for (int k = 0; k < step.size; ++k) {
-            const Row& before = row(step.rows[static_cast<std::size_t>(k)]);
-            if (((before.adds | before.sets) & row(r).reads).any())
+    // Is a row whose results are summed over all particles of r's phase still to come, or in this loop?
+    constexpr bool waits_for_sum(const Step& step, int r) const {
+        for (int k = 0; k < static_cast<int>(n); ++k)
+            if (row(k).summed && row(k).phase == row(r).phase && !done.test(k))
                 return true;
-        }
+        for (int k = 0; k < step.size; ++k)
+            if (row(step.rows[static_cast<std::size_t>(k)]).summed)
+                return true;
         return false;
     }
 
