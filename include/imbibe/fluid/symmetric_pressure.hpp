@@ -49,9 +49,12 @@ struct SymmetricPressure {
     };
     using parts = Parts<Prepare, Push>;
 
-    /// Of a pressure, without unit: how much of it resists slow shear (Lattice::shear_stiffness).
+    /// Of a pressure, without unit: how much of it resists slow shear (Lattice::shear_stiffness). Kernels that have no
+    /// second derivative cannot say.
     template <int dim>
-    static double shear_stiffness(const Lattice<dim>& lattice) {
+    static double shear_stiffness(const Lattice<dim>& lattice)
+        requires requires(double q) { Kernel::second_derivative(q); }
+    {
         return lattice.template shear_stiffness<Kernel>();
     }
 
