@@ -197,7 +197,8 @@ Cases all_cases() {
     add<WaterLaminar>(cases, "`LaminarViscosity`", "the sponge paper's viscosity");
     add<WaterMorris>(cases, "`MorrisViscosity`", "real viscosity, where channels and boundary layers count");
     add<WaterCleary>(cases, "`ClearyViscosity`", "real viscosity that keeps angular momentum; jumps of viscosity");
-    add<WaterPaste>(cases, "`GeneralisedNewtonianViscosity` with `Carreau`", "liquids that thin, thicken or yield");
+    add<WaterPaste>(cases, "`GeneralisedNewtonianViscosity` with `Carreau` (or `HerschelBulkley`)",
+                    "liquids that thin, thicken or yield");
     add<WaterDiffusion>(cases, "`DensityDiffusion`", "a smooth pressure");
     add<WaterFloor>(cases, "`DensityFloor`", "splashes: no tension where drops part");
     add<WaterXsph>(cases, "`Xsph` with `XsphTransport`", "particles that move with their neighbours, in order");

@@ -46,6 +46,8 @@ CONTRACT = [
     (r"using reacts_to =", "The terms of the same coupling that it is the reaction to."),
     (r"using corrected_kernel =", "The kernel that a gradient and its correction share."),
     (r"static constexpr bool changes_volume\b", "The volume of a fluid that fills a periodic box is not kept against it."),
+    (r"using Prepared =", "What it computes of the lattice before the first step."),
+    (r"Prepared prepared\{\};", "What the term has prepared."),
     (r"using viscosity_law =", "The law that its viscosity follows."),
     (r"static constexpr bool in_packs\b", "It is called for as many particles at once as the processor computes."),
     (r".*\boperator\(\)\(const auto&( a)?, const auto&( b)?,", "What neighbour b contributes to particle a."),

@@ -53,6 +53,7 @@ struct CarreauParameters {
 /// Source: Carreau (1972); with a, Yasuda, Armstrong and Cohen (1981); the numbers of blood, Cho and Kensey (1991).
 struct Carreau {
     using Parameters = CarreauParameters;
+    /// eta, Pa s, at a rate of shear, 1/s.
     static constexpr auto viscosity(const Parameters& p, const auto& rate) {
         using T = std::remove_cvref_t<decltype(rate)>;
         return T(p.fast) +
@@ -99,6 +100,7 @@ struct HerschelBulkleyParameters {
 /// Source: Herschel and Bulkley (1926), regularised by Papanastasiou (1987).
 struct HerschelBulkley {
     using Parameters = HerschelBulkleyParameters;
+    /// eta, Pa s, at a rate of shear, 1/s.
     static constexpr auto viscosity(const Parameters& p, const auto& rate) {
         using T = std::remove_cvref_t<decltype(rate)>;
         const T x = p.sharpness * rate;
