@@ -48,6 +48,7 @@ CONTRACT = [
     (r"static constexpr bool changes_volume\b", "The volume of a fluid that fills a periodic box is not kept against it."),
     (r"using Prepared =", "What it computes of the lattice before the first step."),
     (r"Prepared prepared\{\};", "What the term has prepared."),
+    (r"using pressure_kernel =", "The kernel of a pressure force whose lattice resists shear."),
     (r"using viscosity_law =", "The law that its viscosity follows."),
     (r"static constexpr bool in_packs\b", "It is called for as many particles at once as the processor computes."),
     (r".*\boperator\(\)\(const auto&( a)?, const auto&( b)?,", "What neighbour b contributes to particle a."),

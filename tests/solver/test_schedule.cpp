@@ -209,7 +209,8 @@ TEST_CASE("A state that only looks on leaves the forces the new pressure", "[sch
         particle(0, {0}, {2}), // pressure: of the new density for the force, and so for the work
         pair(0, {2, 0}, {3}),  // force
         pair(0, {2, 4}, {6}),  // work of the pressure
-        advance(0, 1, 0),         advance(0, 6, 5),
+        advance(0, 1, 0),
+        advance(0, 6, 5),
         particle(0, {5, 0}, {7}), // of the old energy, and of the old density: it is for the rate alone
         pair(0, {5, 7}, {6}),
     };
@@ -225,7 +226,11 @@ TEST_CASE("Two states that depend on each other advance together", "[schedule]")
     // 0 density, 1 its rate, 2 energy, 3 its rate, 4 pressure, 5 acceleration, 6 velocity
     const std::array<Row, 6> rows{
         particle(0, {0, 2}, {4}), // pressure: of both as they were, for both rates are made of it
-        pair(0, {4, 6}, {1}),     pair(0, {4, 6}, {3}), advance(0, 1, 0), advance(0, 3, 2), pair(0, {4}, {5}),
+        pair(0, {4, 6}, {1}),
+        pair(0, {4, 6}, {3}),
+        advance(0, 1, 0),
+        advance(0, 3, 2),
+        pair(0, {4}, {5}),
     };
     const Plan plan = schedule(rows, bits({0, 2, 6}));
     check_plan(rows, plan);

@@ -125,7 +125,7 @@ struct GreatestViscosity {
 /// dv_a/dt = sum_b m_b 4 eta_a eta_b/(eta_a + eta_b)/(rho_a rho_b) (x_ab . grad_a W_ab)/|x_ab|^2 (v_a - v_b), in m/s^2:
 /// MorrisViscosity with a viscosity eta_a that follows from the rate of shear gamma_a = sqrt(2 E:E) by the law,
 /// E_a = sum_b V_b sym((v_b - v_a) (x) grad_a W_ab). A pair takes the harmonic mean, for its layers are sheared by one
-/// stress: with the arithmetic one a paste between plates is 11 % too slow where it is 4 % with it.
+/// stress; with the arithmetic one a paste that yields flows too slowly.
 ///
 /// In the fluid in place of another viscosity; the material's own `viscosity` is not looked at. A wall to which the
 /// liquid sticks takes `Into<Wall, NoSlipVelocity<K>>, Into<Liquid, NoSlipStrainRate<K>>, NoSlipApparentViscosity<K>`.

@@ -1,7 +1,6 @@
 // The pressure gradient in the form that conserves momentum pair by pair.
 #pragma once
 
-#include <imbibe/core/lattice.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/state/wave_speed.hpp>
 
@@ -31,6 +30,7 @@ inline constexpr PressureOverDensity2 pressure_over_density2{};
 template <class Kernel>
 struct SymmetricPressure {
     using effect = effects::pressure_force;
+    using pressure_kernel = Kernel;
     struct Prepare {
         using reads = Fields<density, pressure>;
         using sets = Fields<pressure_over_density2>;
@@ -48,15 +48,6 @@ struct SymmetricPressure {
         }
     };
     using parts = Parts<Prepare, Push>;
-
-    /// Of a pressure, without unit: how much of it resists slow shear (Lattice::shear_stiffness). Kernels that have no
-    /// second derivative cannot say.
-    template <int dim>
-    static double shear_stiffness(const Lattice<dim>& lattice)
-        requires requires(double q) { Kernel::second_derivative(q); }
-    {
-        return lattice.template shear_stiffness<Kernel>();
-    }
 
     static constexpr const char* limit_name = "pressure between phases";
     /// In a coupling: that of mass_weighted_interface_time_step, s.

@@ -1,7 +1,6 @@
 // The pressure force between volumes: the form for interfaces, where the density jumps.
 #pragma once
 
-#include <imbibe/core/lattice.hpp>
 #include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/state/wave_speed.hpp>
@@ -31,13 +30,14 @@ enum class Tension {
 ///
 /// Not for flow that is slow under a high pressure p: a lattice of particles resists it like an elastic solid of up to
 /// 0.07 p, or gives way by itself (`describe` has the number, docs/validation.md, kolmogorov). CorrectedGradients does
-/// not. Not without something against clumping where the pressure is negative (DensityFloor, particle shifting). Not where
-/// the volume of a particle is not m/rho.
+/// not. Not without something against clumping where the pressure is negative (DensityFloor, particle shifting). Not
+/// where the volume of a particle is not m/rho.
 ///
 /// Source: Colagrossi and Landrini (2003); the same average of volumes and pressures, Hu and Adams (2006).
 template <class Kernel = WendlandC2, Tension tension = Tension::pulls>
 struct VolumePressure {
     using effect = effects::pressure_force;
+    using pressure_kernel = Kernel;
     struct Push {
         using reads = Fields<mass, volume, pressure>;
         using adds = Fields<acceleration>;
@@ -51,15 +51,6 @@ struct VolumePressure {
         }
     };
     using parts = Parts<Volume, Push>;
-
-    /// Of a pressure, without unit: how much of it resists slow shear (Lattice::shear_stiffness). Kernels that have no
-    /// second derivative cannot say.
-    template <int dim>
-    static double shear_stiffness(const Lattice<dim>& lattice)
-        requires requires(double q) { Kernel::second_derivative(q); }
-    {
-        return lattice.template shear_stiffness<Kernel>();
-    }
 
     static constexpr const char* limit_name = "pressure between phases";
     /// In a coupling: that of interface_time_step, s.

@@ -29,7 +29,8 @@ std::string names_of(TypeList<Term...>) {
     return type_names({signature<Term>()...});
 }
 
-/// What share of a pressure resists slow shear of a phase, by the first of its terms that says so; 0: none does.
+/// What share of a pressure resists slow shear of a phase, by the kernel of its plain pressure force
+/// (`pressure_kernel`); 0 where it has none, or that has no second derivative.
 template <int dim, class P>
 double shear_stiffness_of(const P&, TypeList<>) {
     return 0;
@@ -37,8 +38,8 @@ double shear_stiffness_of(const P&, TypeList<>) {
 template <int dim, class P, class First, class... Rest>
 double shear_stiffness_of(const P& material, TypeList<First, Rest...>) {
     const Lattice<dim> lattice{material.spacing, material.support_radius};
-    if constexpr (requires { First::shear_stiffness(lattice); })
-        return First::shear_stiffness(lattice);
+    if constexpr (requires(double q) { First::pressure_kernel::second_derivative(q); })
+        return lattice.template shear_stiffness<typename First::pressure_kernel>();
     else
         return shear_stiffness_of<dim>(material, TypeList<Rest...>{});
 }

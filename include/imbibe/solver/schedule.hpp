@@ -121,8 +121,8 @@ struct Plan {
     int size = 0;                 ///< how many steps
     int rounds = 0;               ///< how many rounds
     Fault fault = Fault::none;    ///< what is wrong
-    int column = -1;              ///< the column at fault
-    int row = -1, other = -1;     ///< the rows at fault
+    int column = -1;          ///< the column at fault
+    int row = -1, other = -1; ///< the rows at fault
 
     /// How many steps sweep over the neighbours of a phase.
     constexpr int sweeps(int phase) const {
@@ -166,9 +166,9 @@ public:
 private:
     const std::array<Row, n>& rows;
     Bits given;
-    Bits done;                      // rows
-    Bits ancestors;                 // rows from which the rates of advanced states are computed
-    Bits advanced;                  // columns
+    Bits done;      // rows
+    Bits ancestors; // rows from which the rates of advanced states are computed
+    Bits advanced;  // columns
     Bits providers[Bits::capacity]; // by column: the rows that write it
     Bits old[Bits::capacity];       // by row: the states that it sees as they were
     Plan plan;
