@@ -38,7 +38,9 @@
 #include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
+#include <imbibe/interface/interface_tension.hpp>
 #include <imbibe/kernels/kernels.hpp>
+#include <imbibe/methods/capillary_fluid.hpp>
 #include <imbibe/methods/corrected_gradients.hpp>
 #include <imbibe/methods/riemann_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
@@ -74,6 +76,7 @@
 #include <imbibe/state/hydrostatic.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/state/tait.hpp>
+#include <imbibe/state/under_pressure.hpp>
 #include <imbibe/time/dual_stepping.hpp>
 #include <imbibe/time/leapfrog.hpp>
 #include <imbibe/time/midpoint_runge_kutta.hpp>

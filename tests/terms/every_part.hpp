@@ -21,6 +21,7 @@
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/interface/interface_tension.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
 #include <imbibe/solid/corrected_gradients.hpp>
@@ -56,6 +57,14 @@ struct WideRepulsion : ModifiedRepulsion {
     constexpr WideRepulsion() { parameters.range = 2; }
 };
 
+/// Sums of interfaces that have a tension, without which they are 0.
+struct SomeInterface : InterfaceTension<>::Sum {
+    constexpr SomeInterface() { parameters.surface_tension = 2; }
+};
+struct SomeWetting : Wetting<>::Sum {
+    constexpr SomeWetting() { parameters.tension = 2; }
+};
+
 template <int dim>
 using EveryPairPart = TypeList<
     Case<Continuity<Spiky>, Water, Water, false>, Case<Continuity<Poly6, smoothed_velocity>, Sponge, Sponge, false>,
@@ -88,6 +97,8 @@ using EveryPairPart = TypeList<
     Case<TransportAdvection<>, Water, Water, false>,
     Case<GeneralisedNewtonianViscosity<Carreau>::Sum, Water, Water, false>,
     Case<GeneralisedNewtonianViscosity<Carreau>::Push, Water, Water, true>,
+    Case<SomeInterface, Water, Water, false>, Case<InterfaceForce<>::Pull, Water, Water, true>,
+    Case<SomeWetting, Water, Sponge, false>, Case<InterfaceForce<>::Pull, Water, Sponge, true>,
     Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>, Case<NoSlipApparentViscosity<>, Water, Sponge, true>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
@@ -131,6 +142,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(surface_normal, dice.vector<dim>(0.5));
     p.set(gradient_correction, symmetric_part(t)).set(corrected_stress, t);
     p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
+    p.set(interface_stress, symmetric_part(t));
     p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
     return p;
 }

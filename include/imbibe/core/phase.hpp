@@ -360,8 +360,9 @@ using CouplingByWritten =
     typename CouplingOfTerms<A, B, typename CouplingByMethods<A, B, typename A::written>::type, More...>::type;
 } // namespace detail
 
-/// The terms between a fluid and a wall or solid, as the methods that the fluid lists have them, and `More`: further
-/// terms, or Instead<...> for terms that are to be others here. `struct Sides : CouplingOf<Water, Tank> {};`
+/// The terms between a fluid and a wall, a solid or another fluid, as the methods that the fluid lists have them, and
+/// `More`: further terms, or Instead<...> for terms that are to be others here. `struct Sides : CouplingOf<Water, Tank>
+/// {};`
 template <class Liquid, class Body, class... More>
 struct CouplingOf : detail::CouplingByWritten<Liquid, Body, More...> {};
 

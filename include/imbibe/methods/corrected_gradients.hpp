@@ -8,21 +8,29 @@
 #include <imbibe/fluid/strain_shifting.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
+#include <type_traits>
+
 namespace imbibe {
 
 /// WeaklyCompressible with corrected gradients inside the fluid, and with particles that are shifted where they are
 /// sheared: for flow that is slow under a high pressure, where WeaklyCompressible resists shear as a solid of up to
 /// 0.07 p does, or gives way by itself. An equation of state and a viscosity are listed beside it.
 ///
-/// Towards walls and solids the fluid shows its own correction, and their particles count in it.
+/// Towards walls and solids the fluid shows its own correction, and their particles count in it, as those of another
+/// such fluid do.
 template <class Kernel = WendlandC2>
 struct CorrectedGradients : Method<InnerCorrection<Kernel>, CorrectedContinuity<Kernel>, DensityDiffusion<Kernel>,
                                    DensityFloor, CorrectedPressure<Kernel>, StrainShifting<Kernel>> {
-    /// What acts between such a fluid and a wall or solid.
-    template <class Liquid, class Body>
-    using coupling = TypeList<Into<Body, PressureExtrapolation<Kernel>>, CorrectedPressure<Kernel>,
-                              Into<Liquid, CorrectionNeighbours<Kernel>>, Into<Liquid, CorrectedContinuity<Kernel>>,
-                              Into<Liquid, ConcentrationNeighbours<Kernel>>>;
+    /// What acts between such a fluid and a wall or solid, or between two such fluids.
+    template <class Liquid, class Other>
+    using coupling =
+        std::conditional_t<detail::is_fluid<Other>,
+                           TypeList<CorrectedPressure<Kernel>, CorrectionNeighbours<Kernel>,
+                                    CorrectedContinuity<Kernel>, ConcentrationNeighbours<Kernel>>,
+                           TypeList<Into<Other, PressureExtrapolation<Kernel>>, CorrectedPressure<Kernel>,
+                                    Into<Liquid, CorrectionNeighbours<Kernel>>,
+                                    Into<Liquid, CorrectedContinuity<Kernel>>,
+                                    Into<Liquid, ConcentrationNeighbours<Kernel>>>>;
 };
 
 } // namespace imbibe

@@ -8,6 +8,8 @@
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/wall/pressure_extrapolation.hpp>
 
+#include <type_traits>
+
 namespace imbibe {
 
 /// A weakly compressible fluid with a free surface: continuity and pressure between volumes (Colagrossi and Landrini
@@ -19,10 +21,12 @@ namespace imbibe {
 template <class Kernel = WendlandC2>
 struct WeaklyCompressible
     : Method<VolumeContinuity<Kernel>, DensityDiffusion<Kernel>, DensityFloor, VolumePressure<Kernel>> {
-    /// What acts between such a fluid and a wall or solid.
-    template <class Liquid, class Body>
-    using coupling = TypeList<Into<Body, PressureExtrapolation<Kernel>>, VolumePressure<Kernel>,
-                              Into<Liquid, VolumeContinuity<Kernel>>>;
+    /// What acts between such a fluid and a wall or solid, or between two such fluids.
+    template <class Liquid, class Other>
+    using coupling =
+        std::conditional_t<detail::is_fluid<Other>, TypeList<VolumePressure<Kernel>, VolumeContinuity<Kernel>>,
+                           TypeList<Into<Other, PressureExtrapolation<Kernel>>, VolumePressure<Kernel>,
+                                    Into<Liquid, VolumeContinuity<Kernel>>>>;
 };
 
 } // namespace imbibe

@@ -1,0 +1,26 @@
+// What a fluid lists that another one does not mix with: the tension of their interface, and how it wets solids.
+#pragma once
+
+#include <imbibe/core/method.hpp>
+#include <imbibe/interface/interface_tension.hpp>
+
+#include <type_traits>
+
+namespace imbibe {
+
+/// The tension of the interface with another fluid that lists it too, beside a method of their flow:
+/// `struct Oil : Fluid<UnderPressure<>, CorrectedGradients<K>, Instead<DensityFloor>, MorrisViscosity<K>,
+/// CapillaryFluid<K>> {};`, `Water` the same, and `struct Between : CouplingOf<Oil, Water, MorrisViscosity<K>> {};` with
+/// the coefficients InterfaceTensionParameters. `presets::TwoLiquids` has all of it.
+///
+/// In couplings with walls and solids, which bear the pull, WettingParameters say at which angle the interface meets
+/// them.
+template <class Kernel = WendlandC2>
+struct CapillaryFluid : Method<InterfaceForce<Kernel>> {
+    /// What acts between such a fluid and another one, and between it and a wall or solid.
+    template <class Liquid, class Other>
+    using coupling = std::conditional_t<detail::is_fluid<Other>, TypeList<InterfaceTension<Kernel>, InterfaceForce<Kernel>>,
+                                        TypeList<Into<Liquid, Wetting<Kernel>>, InterfaceForce<Kernel>>>;
+};
+
+} // namespace imbibe

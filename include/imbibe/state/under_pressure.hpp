@@ -1,0 +1,69 @@
+// An equation of state with a pressure added to all of the fluid.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/core/term.hpp>
+#include <imbibe/fluid/density_floor.hpp>
+#include <imbibe/state/linear_state.hpp>
+
+#include <cmath>
+
+namespace imbibe {
+
+/// Coefficients of UnderPressure.
+struct UnderPressureParameters {
+    /// p_b, Pa
+    double background = 0;
+
+    /// Throws Error for a number out of range. @param where the phase in the message
+    void check(std::string_view where) const {
+        require_not_negative(background, where, "UnderPressureParameters::background", "Pa");
+    }
+};
+
+/// p = p_b + p of `State`, in Pa: at its reference density the fluid is under the pressure p_b. For fluids that fill
+/// what they are in. The particles of a fluid in tension form clumps; p_b keeps it from tension, be it of a flow
+/// (p_b of rho v^2) or of an interface (1.5 sigma/spacing for InterfaceForce, three times the stress in it).
+///
+/// All fluids of a scene have the same p_b.
+///
+/// Not for a free surface: the fluid would spread. Not beside DensityFloor, which is an error: that lets no pressure
+/// fall below p_b. Beside CorrectedGradients: with VolumePressure particles under p_b resist shear.
+///
+/// Source: Morris, Fox and Zhu (1997); Hu and Adams (2006).
+template <class State = LinearState>
+struct UnderPressure {
+    using Parameters = UnderPressureParameters;
+    struct Add {
+        using reads = typename State::reads;
+        using sets = Fields<pressure>;
+        static constexpr bool in_packs = true;
+        Parameters parameters{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const { return State{}(a) + parameters.background; }
+    };
+    using parts = Parts<Add>;
+
+    /// The density at a pressure p, Pa: that of State at p - p_b, kg/m^3.
+    static double density_at(const auto& material, double p) {
+        return State::density_at(material, p - material.coefficients.template get<Parameters>().background);
+    }
+    /// Throws Error where DensityFloor stands beside it. @param owner the fluid, @param where its name in the message
+    static void check(const auto& owner, std::string_view where) {
+        using Terms = typename std::remove_cvref_t<decltype(owner)>::terms;
+        const double background = owner.coefficients.template get<Parameters>().background;
+        require(background == 0 || !detail::contains<DensityFloor, Terms>, where,
+                ": UnderPressureParameters::background = ", background,
+                " Pa beside DensityFloor, which lets no pressure fall below it; leave that out (of a method: "
+                "Instead<DensityFloor>), or take 0 Pa");
+    }
+
+    using reductions = typename State::reductions;
+
+    static constexpr const char* limit_name = State::limit_name;
+    static double time_step_limit(const auto& material, const TimeStepInput& in) {
+        return State::time_step_limit(material, in);
+    }
+};
+
+} // namespace imbibe
