@@ -4,6 +4,8 @@
 //   build-benchmark/studies/validation couette cylinders            some of them
 //   build-benchmark/studies/validation turek-hron --resolutions 4   coarse only
 //   build-benchmark/studies/validation all --write docs/validation.md
+#include <cases/validation/capillary_rise.hpp>
+#include <cases/validation/capillary_wave.hpp>
 #include <cases/validation/cavity.hpp>
 #include <cases/validation/consolidation.hpp>
 #include <cases/validation/cylinders.hpp>
@@ -21,6 +23,8 @@
 #include <cases/validation/pipe.hpp>
 #include <cases/validation/plates.hpp>
 #include <cases/validation/report.hpp>
+#include <cases/validation/rising_bubble.hpp>
+#include <cases/validation/sessile_drop.hpp>
 #include <cases/validation/soft_plate.hpp>
 #include <cases/validation/spheres.hpp>
 #include <cases/validation/spinning_plate.hpp>
@@ -47,6 +51,10 @@ int main(int argc, char** argv) {
         {"taylor-green", "particles along a side", {50, 100}, taylor_green::measure},
         {"kolmogorov", "particles along a side", {32, 64}, kolmogorov::measure},
         {"laws-of-flow", "particles across the gap", {12, 25}, laws_of_flow::measure},
+        {"capillary-wave", "particles in its length", {32, 64}, capillary_wave::measure},
+        {"sessile-drop", "particles over the radius", {12, 24}, sessile_drop::measure},
+        {"capillary-rise", "particles between the plates", {12, 24}, capillary_rise::measure},
+        {"rising-bubble", "particles over the width", {32, 64}, rising_bubble::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},

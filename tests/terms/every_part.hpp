@@ -57,12 +57,9 @@ struct WideRepulsion : ModifiedRepulsion {
     constexpr WideRepulsion() { parameters.range = 2; }
 };
 
-/// Sums of interfaces that have a tension, without which they are 0.
+/// The sum of an interface that has a tension, without which it is 0.
 struct SomeInterface : InterfaceTension<>::Sum {
     constexpr SomeInterface() { parameters.surface_tension = 2; }
-};
-struct SomeWetting : Wetting<>::Sum {
-    constexpr SomeWetting() { parameters.tension = 2; }
 };
 
 template <int dim>
@@ -98,7 +95,7 @@ using EveryPairPart = TypeList<
     Case<GeneralisedNewtonianViscosity<Carreau>::Sum, Water, Water, false>,
     Case<GeneralisedNewtonianViscosity<Carreau>::Push, Water, Water, true>,
     Case<SomeInterface, Water, Water, false>, Case<InterfaceForce<>::Pull, Water, Water, true>,
-    Case<SomeWetting, Water, Sponge, false>, Case<InterfaceForce<>::Pull, Water, Sponge, true>,
+    Case<ContactLineForce<>::Pull, Water, Sponge, true>,
     Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>, Case<NoSlipApparentViscosity<>, Water, Sponge, true>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
@@ -107,7 +104,7 @@ using EveryPairPart = TypeList<
 using OtherPairParts =
     TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
              Case<NoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
-             Case<ParticleShifting<>::Approach, Water, Water, false>, Case<SummationNeighbours<>, Water, Water, false>>;
+             Case<ParticleShifting<>::Approach, Water, Water, false>, Case<ContactAngle<>::Sum, Water, Sponge, false>, Case<SummationNeighbours<>, Water, Water, false>>;
 
 template <class F, class... C>
 void for_each_case(TypeList<C...>, F f) {
@@ -142,7 +139,9 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(surface_normal, dice.vector<dim>(0.5));
     p.set(gradient_correction, symmetric_part(t)).set(corrected_stress, t);
     p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
-    p.set(interface_stress, symmetric_part(t));
+    p.set(interface_stress, symmetric_part(t))
+        .set(solid_direction, dice.vector<dim>(1))
+        .set(contact_line_pull, dice.vector<dim>(1e3));
     p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
     return p;
 }

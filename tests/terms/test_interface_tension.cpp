@@ -124,19 +124,45 @@ TEST_CASE("A disc under the tension of its interface is under Laplace's pressure
     CHECK(work == Approx(2 * std::numbers::pi).epsilon(0.03));
 }
 
-TEST_CASE("Young's equation gives the tensions of a contact angle") {
-    for (const double angle : {0.0, 1.0, 2.0, 3.0}) {
-        const auto tensions = tensions_at_contact_angle(2, angle);
-        CHECK(tensions.other - tensions.liquid == Approx(2 * std::cos(angle)));
-        CHECK(std::min(tensions.other, tensions.liquid) == 0);
+TEST_CASE("The pull at a contact line is sigma cos theta, in both fluids together, and goes to the wall") {
+    struct Vessel : Wall<> {};
+    struct Wet : CouplingOf<Water, Vessel> {};
+    struct Dry : CouplingOf<Oil, Vessel> {};
+    using Scene = Solver<2, double, SymplecticEuler, Water, Oil, Vessel, Between, Wet, Dry>;
+    // A wall below y = 0; the fluids meet it at x = 0, in a line that leans by 45 degrees or stands.
+    for (const double lean : {0.0, 1.0}) {
+        Scene scene({.support_radius = 6, .threads = 1});
+        std::vector<Point<2>> left, right;
+        for (const auto& x : fill(Box<2>{{-30, 0}, {30, 20}}, 1))
+            (x[0] + lean * x[1] < 0 ? left : right).push_back(x);
+        scene.add(Water{{.density = 1, .sound_speed = 20}}, left, 1);
+        scene.add(Oil{{.density = 1, .sound_speed = 20}}, right, 1);
+        scene.add(Vessel{{.density = 1}}, fill(Box<2>{{-40, -8}, {40, 0}}, 1), 1);
+        scene.coupling<Between>().set(InterfaceTensionParameters{.surface_tension = 2});
+        scene.coupling<Wet>().set(ContactAngleParameters{.contact_angle = std::numbers::pi / 3});
+        scene.coupling<Dry>().set(ContactAngleParameters{.contact_angle = 2 * std::numbers::pi / 3});
+        scene.step(1e-6);
+        double along = 0, across = 0;
+        const auto add = [&](const auto& view) {
+            for (int i = 0; i < view.size(); ++i) {
+                const auto f = view[contact_line_pull].row(i);
+                const double share = view[solid_gradient].row(i).norm() * view[mass](i) / view[density](i);
+                if (view[position](i, 1) > 7)
+                    CHECK(f.norm() == 0);
+                along += share * f[0];
+                across += std::abs(share * f[1]);
+            }
+        };
+        add(scene.get<Water>());
+        add(scene.get<Oil>());
+        CAPTURE(lean);
+        CHECK(along == Approx(2 * std::cos(std::numbers::pi / 3)).epsilon(0.02));
+        CHECK(across < 1e-10);
     }
-    CHECK_THROWS_WITH(tensions_at_contact_angle(2, 60),
-                      imbibe_test::contains("contact_angle = 60 rad; it must be from 0 (wets fully) to pi"));
-    CHECK_THROWS_WITH(tensions_at_contact_angle(-2, 1), imbibe_test::contains("surface_tension = -2 N/m"));
+    CHECK_THROWS_WITH(ContactAngleParameters{.contact_angle = 60}.check("Wet"),
+                      imbibe_test::contains("Wet: ContactAngleParameters::contact_angle = 60 rad; it must be from 0"));
     CHECK_THROWS_WITH(InterfaceTensionParameters{.surface_tension = -1}.check("Between"),
                       imbibe_test::contains("Between: InterfaceTensionParameters::surface_tension = -1 N/m"));
-    CHECK_THROWS_WITH(WettingParameters{.tension = -1}.check("Sides"),
-                      imbibe_test::contains("Sides: WettingParameters::tension = -1 N/m"));
 }
 
 TEST_CASE("A step is short enough for the capillary waves of two particles") {
@@ -150,7 +176,6 @@ TEST_CASE("A step is short enough for the capillary waves of two particles") {
                            .other_spacing = 0.1};
     CHECK(InterfaceTension<>::time_step_limit(water, oil, in, {.surface_tension = 5}) ==
           Approx(0.4 * std::sqrt(2 * 1e-3 / 5)));
-    CHECK(Wetting<>::time_step_limit(water, oil, in, {.tension = 5}) == Approx(0.4 * std::sqrt(1e-3 / 5)));
     CHECK(std::isinf(InterfaceTension<>::time_step_limit(water, oil, in, {})));
 }
 

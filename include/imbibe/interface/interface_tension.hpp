@@ -21,37 +21,38 @@ struct InterfaceGradient : Field<Rank::vector> {
 };
 inline constexpr InterfaceGradient interface_gradient{};
 
-/// 2 sigma_s sum_b V_b grad_a W_ab over the particles b of walls and solids, Pa.
+/// sum_b V_b grad_a W_ab over the particles b of walls and solids, 1/m.
+struct SolidGradient : Field<Rank::vector> {
+    static constexpr std::string_view name = "solid_gradient", unit = "1/m";
+};
+inline constexpr SolidGradient solid_gradient{};
+
+/// sum_b cos(theta) V_b grad_a W_ab over the same, with the contact angle theta of each, 1/m.
 struct WettingGradient : Field<Rank::vector> {
-    static constexpr std::string_view name = "wetting_gradient", unit = "Pa";
-    static constexpr bool shown = true;
+    static constexpr std::string_view name = "wetting_gradient", unit = "1/m";
 };
 inline constexpr WettingGradient wetting_gradient{};
 
-/// The stress of the interfaces of a fluid, Pa.
+/// The direction of solid_gradient.
+struct SolidDirection : Field<Rank::vector> {
+    static constexpr std::string_view name = "solid_direction", unit = "1";
+};
+inline constexpr SolidDirection solid_direction{};
+
+/// How walls and solids pull at the line in which two fluids meet them, along their surface, Pa.
+struct ContactLinePull : Field<Rank::vector> {
+    static constexpr std::string_view name = "contact_line_pull", unit = "Pa";
+    static constexpr bool shown = true;
+};
+inline constexpr ContactLinePull contact_line_pull{};
+
+/// The stress of the interface, Pa.
 struct InterfaceStressField : Field<Rank::symmetric_tensor> {
     static constexpr std::string_view name = "interface_stress", unit = "Pa";
 };
 inline constexpr InterfaceStressField interface_stress{};
 
 namespace detail {
-// |G| 1 - G (x) G/|G|, Pa: a tension along the interface whose gradient G is, and none across it.
-template <class T, int dim>
-IMBIBE_INLINE constexpr auto stress_along(const Vector<T, dim>& G) {
-    const T length = sqrt(squared_norm(G));
-    return length * symmetric_identity<T, dim>() - symmetric_part(outer((1 / max(length, 1e-30)) * G, G));
-}
-// The sum of the stresses of a pair, Pa: a wall or a solid has none of its own.
-IMBIBE_INLINE constexpr auto stress_of_both(const auto& a, const auto& b) {
-    using A = typename std::remove_cvref_t<decltype(a)>::Material;
-    using B = typename std::remove_cvref_t<decltype(b)>::Material;
-    if constexpr (is_fluid<A> && is_fluid<B>)
-        return a[interface_stress] + b[interface_stress];
-    else if constexpr (is_fluid<A>)
-        return a[interface_stress];
-    else
-        return b[interface_stress];
-}
 // 0.4 sqrt(rho dx^3/sigma), s; infinite without a tension.
 inline double capillary_limit(double density, double spacing, double tension) {
     return tension > 0 ? 0.4 * std::sqrt(density * sq(spacing) * spacing / tension)
@@ -60,24 +61,24 @@ inline double capillary_limit(double density, double spacing, double tension) {
 } // namespace detail
 
 /// dv_a/dt = 1/m_a sum_b V_a V_b (T_a + T_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho and the stress T of
-/// InterfaceTension and Wetting; a wall or a solid has none. Equal and opposite: momentum is conserved exactly, and
-/// solids are pulled at.
+/// InterfaceTension. Equal and opposite: momentum is conserved exactly.
 ///
-/// In each of the fluids, in their coupling beside InterfaceTension, and in their couplings with walls and solids, beside
-/// Wetting or alone.
+/// In each of the fluids, and in their coupling beside InterfaceTension.
 ///
-/// Not without a pressure that outweighs the tension, UnderPressure: particles would form clumps.
+/// Not without a pressure that outweighs the tension, UnderPressure: particles would form clumps. Not with walls and
+/// solids: what they do to the interface is ContactLineForce.
 ///
 /// Source: Hu and Adams (2006).
 template <class Kernel = WendlandC2>
-struct InterfaceForce : NotStiff { // InterfaceTension and Wetting limit the step
+struct InterfaceForce : NotStiff { // InterfaceTension limits the step
+    static constexpr bool between_fluids = true;
     struct Pull {
         using reads = Fields<mass, volume, interface_stress>;
         using adds = Fields<acceleration>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             return (a[volume] * b[volume] / a[mass] * ab.gradient(Kernel{})) *
-                   (detail::stress_of_both(a, b) * ab.offset);
+                   ((a[interface_stress] + b[interface_stress]) * ab.offset);
         }
     };
     using parts = Parts<Volume, Pull>;
@@ -125,7 +126,11 @@ struct InterfaceTension {
         static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            return detail::stress_along(a[interface_gradient]);
+            using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+            constexpr int dim = std::remove_cvref_t<decltype(a)>::dimension;
+            const auto& G = a[interface_gradient];
+            const T length = sqrt(squared_norm(G));
+            return length * symmetric_identity<T, dim>() - symmetric_part(outer((1 / max(length, 1e-30)) * G, G));
         }
     };
     using parts = Parts<Volume, Sum, Stress>;
@@ -139,78 +144,88 @@ struct InterfaceTension {
     }
 };
 
-/// Coefficients of Wetting.
-struct WettingParameters {
-    /// sigma_s of the fluid against the wall or solid, N/m; see tensions_at_contact_angle
-    double tension = 0;
+/// Coefficients of ContactAngle.
+struct ContactAngleParameters {
+    /// theta, rad, measured in the fluid that the term acts into: that of the other fluid is pi - theta
+    double contact_angle = 0.5 * std::numbers::pi;
 
     /// Throws Error for a number out of range. @param where the coupling in the message
     void check(std::string_view where) const {
-        require_not_negative(tension, where, "WettingParameters::tension", "N/m");
+        require(contact_angle >= 0 && contact_angle <= std::numbers::pi, where,
+                ": ContactAngleParameters::contact_angle = ", contact_angle,
+                " rad; it must be from 0 (wets fully) to pi (does not wet); degrees are multiplied by pi/180");
     }
 };
 
-/// The tensions of a solid against two fluids.
-struct WettingTensions {
-    double liquid; ///< against the one in which the contact angle is measured, N/m
-    double other;  ///< against the other one, N/m
-};
-
-/// The least tensions sigma_s of two fluids against a solid with which they meet it at a contact angle theta:
-/// sigma_other - sigma_liquid = sigma cos theta.
-/// @param surface_tension sigma of the two fluids, N/m @param contact_angle theta, rad, measured in the liquid
-/// @throws Error unless the angle is from 0 to pi
+/// The pull at the contact line, f_a = 8/3 c_a (1 - n (x) n) G_a, in Pa, with the direction n of g_a = sum_b V_b grad_a
+/// W_ab over walls and solids, c_a = cos theta, their mean where there are several, and G of InterfaceTension: along the
+/// surface towards the other fluid where theta is below 90 degrees. `Into` each of the two fluids, in its coupling with
+/// the wall or solid, beside ContactLineForce.
 ///
-/// Source: Young (1805).
-inline WettingTensions tensions_at_contact_angle(double surface_tension, double contact_angle) {
-    require_not_negative(surface_tension, "tensions_at_contact_angle", "surface_tension", "N/m");
-    require(contact_angle >= 0 && contact_angle <= std::numbers::pi,
-            "tensions_at_contact_angle: contact_angle = ", contact_angle,
-            " rad; it must be from 0 (wets fully) to pi (does not wet); degrees are multiplied by pi/180");
-    const double pull = surface_tension * std::cos(contact_angle);
-    return {.liquid = std::max(0.0, -pull), .other = std::max(0.0, pull)};
-}
-
-/// G_a = 2 sigma_s sum_b V_b grad_a W_ab, in Pa, over the particles b of walls and solids, and the stress T_a of
-/// InterfaceTension from it: the tension of the layer of fluid along them. `Into` the fluid, beside InterfaceForce, in the
-/// coupling of each of two fluids with the wall or solid. Only the difference of their two tensions matters
-/// (tensions_at_contact_angle): it drives the line in which all three meet. docs/validation.md, sessile-drop, has the
-/// angles that come out.
+/// Summed up over both fluids, f |g| is sigma cos theta, per length of the line, at whatever angle the interface meets
+/// the surface: half of the kernel of a particle at the surface is not in a fluid, of which 8/3 in place of 2 is made. At
+/// rest that is what balances the interface at the angle theta (Young 1805). docs/validation.md has what comes out
+/// (sessile-drop, capillary-rise).
 ///
-/// Not for walls and solids thinner than a support radius.
+/// Not for walls and solids thinner than a support radius, or with channels narrower than two.
 ///
-/// Source: Hu and Adams (2006), who give the solid a tension against each fluid; that it acts in the fluid alone is own.
+/// Source: own; a line force from two gradients, Huber, Keller, Saeckel, Hirschler, Kunz, Hassanizadeh and Nieken (2016).
 template <class Kernel = WendlandC2>
-struct Wetting {
-    using Parameters = WettingParameters;
+struct ContactAngle {
+    using Parameters = ContactAngleParameters;
     static constexpr bool between_fluid_and_other = true;
     struct Sum {
         using reads = Fields<volume>;
-        using adds = Fields<wetting_gradient>;
+        using adds = Fields<solid_gradient, wetting_gradient>;
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
-            return along(ab, 2 * parameters.tension * b[volume] * ab.gradient(Kernel{}));
+            const auto weight = b[volume] * ab.gradient(Kernel{});
+            return values(along(ab, weight), along(ab, std::cos(parameters.contact_angle) * weight));
         }
     };
-    struct Stress {
-        using reads = Fields<wetting_gradient>;
-        using adds = Fields<interface_stress>;
+    struct Line {
+        using reads = Fields<solid_gradient, wetting_gradient, interface_gradient>;
+        using sets = Fields<solid_direction, contact_line_pull>;
         static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            return detail::stress_along(a[wetting_gradient]);
+            const auto& g = a[solid_gradient];
+            const auto& G = a[interface_gradient];
+            const auto shortened = 1 / max(sqrt(squared_norm(g)), 1e-30);
+            const auto n = shortened * g;
+            const auto cosine = shortened * dot(n, a[wetting_gradient]);
+            return values(n, (8.0 / 3 * cosine) * (G - dot(n, G) * n));
         }
     };
-    using parts = Parts<Volume, Sum, Stress>;
+    using parts = Parts<Volume, Sum, Line>;
+};
 
-    static constexpr const char* limit_name = "wetting";
-    /// 0.4 sqrt(rho dx^3/sigma_s), s.
-    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
-                                  const Parameters& parameters) {
-        return detail::capillary_limit(std::min(material_a.density, material_b.density),
-                                       std::min(in.spacing, in.other_spacing), parameters.tension);
-    }
+/// dv_a/dt = 1/m_a sum_b V_a V_b (n . grad_a W_ab) f, in m/s^2, with n and f of ContactAngle in whichever of the two is
+/// the fluid: V_a |g_a| f_a is the force on a fluid's particle. Equal and opposite: solids are pulled at.
+///
+/// In the coupling of each of two fluids with a wall or solid, beside ContactAngle `Into` the fluid. The pull of the
+/// interface off the surface comes to the solid by the fluid's pressure.
+///
+/// Not without InterfaceTension between the fluids.
+///
+/// Source: own, see ContactAngle.
+template <class Kernel = WendlandC2>
+struct ContactLineForce : NotStiff { // InterfaceTension limits the step
+    static constexpr bool between_fluid_and_other = true;
+    struct Pull {
+        using reads = Fields<mass, volume, solid_direction, contact_line_pull>;
+        using adds = Fields<acceleration>;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            const auto weight = a[volume] * b[volume] / a[mass] * ab.gradient(Kernel{});
+            if constexpr (detail::is_fluid<typename std::remove_cvref_t<decltype(a)>::Material>)
+                return (weight * dot(a[solid_direction], ab.offset)) * a[contact_line_pull];
+            else
+                return (weight * dot(b[solid_direction], ab.offset)) * b[contact_line_pull];
+        }
+    };
+    using parts = Parts<Volume, Pull>;
 };
 
 } // namespace imbibe

@@ -13,14 +13,14 @@ namespace imbibe {
 /// CapillaryFluid<K>> {};`, `Water` the same, and `struct Between : CouplingOf<Oil, Water, MorrisViscosity<K>> {};` with
 /// the coefficients InterfaceTensionParameters. `presets::TwoLiquids` has all of it.
 ///
-/// In couplings with walls and solids, which bear the pull, WettingParameters say at which angle the interface meets
-/// them.
+/// In couplings with walls and solids, which bear the pull, ContactAngleParameters say at which angle the interface
+/// meets them.
 template <class Kernel = WendlandC2>
 struct CapillaryFluid : Method<InterfaceForce<Kernel>> {
     /// What acts between such a fluid and another one, and between it and a wall or solid.
     template <class Liquid, class Other>
     using coupling = std::conditional_t<detail::is_fluid<Other>, TypeList<InterfaceTension<Kernel>, InterfaceForce<Kernel>>,
-                                        TypeList<Into<Liquid, Wetting<Kernel>>, InterfaceForce<Kernel>>>;
+                                        TypeList<Into<Liquid, ContactAngle<Kernel>>, ContactLineForce<Kernel>>>;
 };
 
 } // namespace imbibe

@@ -54,14 +54,14 @@ struct TwoLiquids {
         detail::require_positive(spacing, "TwoLiquids::set_coefficients", "spacing", "m");
         liquid.set(UnderPressureParameters{.background = 1.5 * interface.surface_tension / spacing});
     }
-    /// Those of the couplings. Throws Error for an angle that is none.
+    /// Those of the couplings.
     template <int dim, class Real>
     static void set_coefficients(Scene<dim, Real>& scene, const Interface& interface) {
-        const auto tensions = tensions_at_contact_angle(interface.surface_tension, interface.contact_angle);
         scene.template coupling<Between>().set(
             InterfaceTensionParameters{.surface_tension = interface.surface_tension});
-        scene.template coupling<Sides<Water>>().set(WettingParameters{.tension = tensions.liquid});
-        scene.template coupling<Sides<Oil>>().set(WettingParameters{.tension = tensions.other});
+        const double angle = interface.contact_angle;
+        scene.template coupling<Sides<Water>>().set(ContactAngleParameters{.contact_angle = angle});
+        scene.template coupling<Sides<Oil>>().set(ContactAngleParameters{.contact_angle = std::numbers::pi - angle});
     }
 };
 
