@@ -39,6 +39,7 @@ struct WaterXsph : WaterWith<Xsph<K>, XsphTransport> {};
 struct WaterShifting : WaterWith<ParticleShifting<K>> {};
 struct WaterAdvection : WaterWith<ParticleShifting<K>, TransportAdvection<K>> {};
 struct WaterTait : Fluid<Tait<7>, VolumeContinuity<K>, VolumePressure<K>> {};
+struct WaterUnderPressure : Fluid<UnderPressure<LinearState>, VolumeContinuity<K>, VolumePressure<K>> {};
 struct WaterSymmetric : Fluid<LinearState, Continuity<K>, SymmetricPressure<K>> {};
 struct WaterRiemann : Fluid<LinearState, RiemannContinuity<K>, RiemannPressure<K>> {};
 struct WaterSummation : Fluid<LinearState, SummationDensity<K>, VolumePressure<K>> {};
@@ -78,6 +79,9 @@ struct PlatePairwise : Solid<ReferenceCorrection<K>, DeformationGradient<K>, Pai
 struct Floor : Wall<> {};
 struct Slab : PlateWith<> {};
 struct SlabNormal : PlateWith<ReferenceSurfaceNormal<K>> {};
+struct WaterBelow : WaterWith<> {};
+struct Drop : WaterWith<InterfaceForce<K>> {};
+struct DropBelow : WaterWith<InterfaceForce<K>> {};
 template <class Below, class... Term>
 using Contact = Coupling<Water, Below, Term...>;
 template <class Above, class Below, class... More>
@@ -101,6 +105,12 @@ struct CorrectedFloorNoSlip : CorrectedExtrapolation<Into<Floor, NoSlipVelocity<
 struct PasteFloor : ExtrapolationOf<WaterPaste, Floor> {};
 struct PasteFloorNoSlip : ExtrapolationOf<WaterPaste, Floor, Into<Floor, NoSlipVelocity<K>>,
                                           Into<WaterPaste, NoSlipStrainRate<K>>, NoSlipApparentViscosity<K>> {};
+template <class Above, class Below, class... More>
+using LayersOf = Coupling<Above, Below, VolumePressure<K>, VolumeContinuity<K>, More...>;
+struct Layers : LayersOf<Water, WaterBelow> {};
+struct LayersTension : LayersOf<Drop, DropBelow, InterfaceTension<K>, InterfaceForce<K>> {};
+struct DropFloor : ExtrapolationOf<Drop, Floor> {};
+struct DropFloorAngle : ExtrapolationOf<Drop, Floor, Into<Drop, ContactAngle<K>>, ContactLineForce<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -229,6 +239,8 @@ Cases all_cases() {
                       "densities that do not drift from the places of shifted particles");
     add<WaterTensionless>(cases, "`VolumePressure` with `Tension::none` in place of that without",
                           "water that no wall holds back");
+    add<WaterUnderPressure>(cases, "`UnderPressure<LinearState>` in place of `LinearState`",
+                            "fluids that fill what they are in and are not to be in tension");
     add<WaterSymmetric>(cases, "`Continuity` and `SymmetricPressure` in place of those of volumes",
                         "the sponge paper's pair, for one fluid");
     add<WaterTait>(cases, "`Tait` in place of `LinearState`", "a liquid that stiffens under pressure");
@@ -284,6 +296,15 @@ Cases all_cases() {
                             "what the row below is compared with");
     add_contact<PasteFloorNoSlip>(cases, "`NoSlipVelocity`, `NoSlipStrainRate` and `NoSlipApparentViscosity`",
                                   "walls that such a fluid sticks to");
+    add_contact<Layers>(cases,
+                        "two plain fluids, one on the other, with `VolumePressure` and `VolumeContinuity` between them",
+                        "what the row below is compared with");
+    add_contact<LayersTension>(cases, "`InterfaceTension` and `InterfaceForce`",
+                               "liquids that do not mix; drops, bubbles");
+    add<DropFloor, OnTop<Drop, Floor, DropBelow, LayersTension, DropFloor>>(
+        cases, "such a fluid on a floor with `PressureExtrapolation`", "what the row below is compared with");
+    add<DropFloorAngle, OnTop<Drop, Floor, DropBelow, LayersTension, DropFloorAngle>>(
+        cases, "`ContactAngle` and `ContactLineForce`", "the angle at which an interface meets walls and solids");
     add<Slab, OnTop<Water, Slab>>(cases, "the plain fluid on a total-Lagrangian slab that it does not see",
                                   "what the rows below are compared with");
     add_contact<SlabExtrapolation>(

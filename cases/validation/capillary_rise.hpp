@@ -1,11 +1,10 @@
 // Water that rises between two plates, against its weight, and pushes out what was there.
 //
-// Reference: Jurin; between plates at a distance d, beside a gap D, the levels differ by 2 sigma cos theta/((rho - rho_o)
-// g) (1/d - 1/D).
-// Geometry: d = 1, D = 2, plates of 4 spacings that end 0.6 from floor and ceiling, in a periodic row;
-// water up to 1.5; rho = sigma = 1, rho_o = 0.5, g = 1, viscosity 0.03 of both; the levels begin with half of the difference.
-// Scheme: presets::TwoLiquids; sound is 14.
-// Measure: the mean level of water between the plates, by its volume, less that in the other gap, from t = 7.5 to 10.
+// Reference: Jurin; between plates at a distance d, beside a gap D, the levels differ by 2 sigma cos theta/((rho -
+// rho_o) g) (1/d - 1/D). Geometry: d = 1, D = 2, plates of 4 spacings that end 0.6 from floor and ceiling, in a
+// periodic row; water up to 1.5; rho = sigma = 1, rho_o = 0.5, g = 1, viscosity 0.03 of both; the levels begin with
+// half of the difference. Scheme: presets::TwoLiquids; sound is 14. Measure: the mean level of water between the
+// plates, by its volume, less that in the other gap, from t = 7.5 to 10.
 #pragma once
 
 #include "case.hpp"
@@ -29,21 +28,24 @@ using Point = Eigen::Vector2d;
 
 constexpr double wide = 2, level = 1.5, height = 4, lowest = 0.6, lighter = 0.5, gravity = 1;
 
-/// By how much the levels differ in the end. @param across particles between the plates @param degrees the contact angle
+/// By how much the levels differ in the end. @param across particles between the plates @param degrees the contact
+/// angle
 /// @param begun by how much they do at first
 inline double rise(double across, double degrees, double begun) {
     constexpr double end = 10;
     const double spacing = 1 / across, thick = 4 * spacing, width = 1 + wide + 2 * thick;
     Preset::Scene<2, double> scene(
         {.gravity = {0, -gravity}, .support_radius = 3 * spacing, .periodic_length = {width, 0}, .threads = 1});
-    const Preset::Interface interface{.surface_tension = 1, .contact_angle = degrees * std::numbers::pi / 180};
+    const Preset::Interface interface { .surface_tension = 1, .contact_angle = degrees * std::numbers::pi / 180 };
     Preset::Water water{{.density = 1, .sound_speed = 14, .viscosity = 0.03}};
     Preset::Oil oil{{.density = lighter, .sound_speed = 14 / std::sqrt(lighter), .viscosity = 0.03}};
     Preset::set_coefficients(water, interface, spacing);
     Preset::set_coefficients(oil, interface, spacing);
     // From the left: a plate, the narrow gap, a plate, the wide gap.
     const auto in_narrow = [&](double x) { return x > thick && x < thick + 1; };
-    const auto in_plate = [&](const Point& x) { return x[1] > lowest && x[1] < height - lowest && x[0] < 1 + 2 * thick && !in_narrow(x[0]); };
+    const auto in_plate = [&](const Point& x) {
+        return x[1] > lowest && x[1] < height - lowest && x[0] < 1 + 2 * thick && !in_narrow(x[0]);
+    };
     std::vector<Point> below, above, plates;
     for (const auto& x : sph::fill(sph::Box<2>({0, 0}, {width, height}), spacing))
         (in_plate(x) ? plates : x[1] < level + begun * (in_narrow(x[0]) ? 2.0 : -1.0) / 3 ? below : above).push_back(x);

@@ -86,7 +86,7 @@ inline Wave exact() {
 inline Wave wave(double across) {
     const double spacing = 1 / across;
     Preset::Scene<2, double> scene({.support_radius = 3 * spacing, .periodic_length = {1, 0}, .threads = 1});
-    const Preset::Interface interface{.surface_tension = 1};
+    const Preset::Interface interface { .surface_tension = 1 };
     Preset::Water water{{.density = 1, .sound_speed = sound, .viscosity = viscosity}};
     Preset::Oil oil{{.density = 1, .sound_speed = sound, .viscosity = viscosity}};
     Preset::set_coefficients(water, interface, spacing);
@@ -101,8 +101,8 @@ inline Wave wave(double across) {
     }
     scene.add(water, below, spacing);
     scene.add(oil, above, spacing);
-    scene.add(Preset::Vessel{{.density = 1}},
-              sph::tank(sph::Box<2>({0, -1}, {1, 1}), spacing, 4, sph::Sides::x), spacing);
+    scene.add(Preset::Vessel{{.density = 1}}, sph::tank(sph::Box<2>({0, -1}, {1, 1}), spacing, 4, sph::Sides::x),
+              spacing);
     Preset::set_coefficients(scene, interface);
     std::vector<double> times, mode;
     scene.run_until(1.6, [&](const auto& s) {

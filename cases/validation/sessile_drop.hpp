@@ -33,7 +33,7 @@ constexpr double pi = std::numbers::pi;
 /// A drop of water where `in_drop(x)`, in a box that is periodic along x and full of oil.
 inline Scene drop(const Point& size, double spacing, double viscosity, double angle, const auto& in_drop) {
     Scene scene({.support_radius = 3 * spacing, .periodic_length = {size[0], 0}, .threads = 1});
-    const Preset::Interface interface{.surface_tension = 1, .contact_angle = angle};
+    const Preset::Interface interface { .surface_tension = 1, .contact_angle = angle };
     Preset::Water water{{.density = 1, .sound_speed = 20, .viscosity = viscosity}};
     Preset::Oil oil{{.density = 1, .sound_speed = 20, .viscosity = viscosity}};
     Preset::set_coefficients(water, interface, spacing);
@@ -64,8 +64,8 @@ inline double angle_of(double area, double height) {
 /// The angle, degrees, that half a disc with so many particles over its radius comes to.
 inline double contact_angle(double across, double degrees) {
     const double spacing = 1 / across;
-    Scene scene = drop({6, 3}, spacing, 0.1, degrees * pi / 180,
-                       [](const Point& x) { return std::hypot(x[0] - 3, x[1]) < 1; });
+    Scene scene =
+        drop({6, 3}, spacing, 0.1, degrees * pi / 180, [](const Point& x) { return std::hypot(x[0] - 3, x[1]) < 1; });
     double sum = 0;
     int times = 0;
     scene.run_until(10, [&](const Scene& s) {
@@ -120,8 +120,8 @@ inline std::vector<Measured> measure(int across) {
     std::vector<Measured> found{{"pressure in a free drop over sigma/R", "5 % at 16", still.pressure, 1},
                                 {"1 + speed in a free drop", "2 %", 1 + still.speed, 1}};
     for (const double angle : {30.0, 60.0, 90.0, 120.0, 150.0})
-        found.push_back({sph::text("contact angle ", angle, ", degrees"), "5 degrees", contact_angle(across, angle),
-                         angle});
+        found.push_back(
+            {sph::text("contact angle ", angle, ", degrees"), "5 degrees", contact_angle(across, angle), angle});
     return found;
 }
 

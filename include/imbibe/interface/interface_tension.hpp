@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/core/error.hpp>
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/fluid/volume.hpp>
 #include <imbibe/kernels/wendland.hpp>
@@ -95,8 +96,8 @@ struct InterfaceTensionParameters {
     }
 };
 
-/// G_a = sigma sum_b V_b grad_a W_ab, in Pa, over the particles b of the other fluid, and the stress T_a = |G_a| 1 - G_a
-/// (x) G_a/|G_a|, in Pa: a tension along the interface and none across it. In the coupling of two fluids, beside
+/// G_a = sigma sum_b V_b grad_a W_ab, in Pa, over the particles b of the other fluid, and the stress T_a = |G_a| 1 -
+/// G_a (x) G_a/|G_a|, in Pa: a tension along the interface and none across it. In the coupling of two fluids, beside
 /// InterfaceForce. Inside a fluid G is exactly 0, however its particles lie; across an interface |G| sums up to sigma,
 /// half of it in each fluid.
 ///
@@ -157,31 +158,38 @@ struct ContactAngleParameters {
     }
 };
 
+/// What ContactAngle computes of its angle.
+struct PreparedContactAngle {
+    double cosine = 1; ///< cos theta
+};
+
 /// The pull at the contact line, f_a = 8/3 c_a (1 - n (x) n) G_a, in Pa, with the direction n of g_a = sum_b V_b grad_a
-/// W_ab over walls and solids, c_a = cos theta, their mean where there are several, and G of InterfaceTension: along the
-/// surface towards the other fluid where theta is below 90 degrees. `Into` each of the two fluids, in its coupling with
-/// the wall or solid, beside ContactLineForce.
+/// W_ab over walls and solids, c_a = cos theta, their mean where there are several, and G of InterfaceTension: along
+/// the surface towards the other fluid where theta is below 90 degrees. `Into` each of the two fluids, in its coupling
+/// with the wall or solid, beside ContactLineForce.
 ///
 /// Summed up over both fluids, f |g| is sigma cos theta, per length of the line, at whatever angle the interface meets
-/// the surface: half of the kernel of a particle at the surface is not in a fluid, of which 8/3 in place of 2 is made. At
-/// rest that is what balances the interface at the angle theta (Young 1805). docs/validation.md has what comes out
+/// the surface: half of the kernel of a particle at the surface is not in a fluid, of which 8/3 in place of 2 is made.
+/// At rest that is what balances the interface at the angle theta (Young 1805). docs/validation.md has what comes out
 /// (sessile-drop, capillary-rise).
 ///
 /// Not for walls and solids thinner than a support radius, or with channels narrower than two.
 ///
-/// Source: own; a line force from two gradients, Huber, Keller, Saeckel, Hirschler, Kunz, Hassanizadeh and Nieken (2016).
+/// Source: own; a line force from two gradients, Huber, Keller, Saeckel, Hirschler, Kunz, Hassanizadeh and Nieken
+/// (2016).
 template <class Kernel = WendlandC2>
 struct ContactAngle {
     using Parameters = ContactAngleParameters;
+    using Prepared = PreparedContactAngle;
     static constexpr bool between_fluid_and_other = true;
     struct Sum {
         using reads = Fields<volume>;
         using adds = Fields<solid_gradient, wetting_gradient>;
-        Parameters parameters{};
+        Prepared prepared{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
             const auto weight = b[volume] * ab.gradient(Kernel{});
-            return values(along(ab, weight), along(ab, std::cos(parameters.contact_angle) * weight));
+            return values(along(ab, weight), along(ab, prepared.cosine * weight));
         }
     };
     struct Line {
@@ -199,6 +207,12 @@ struct ContactAngle {
         }
     };
     using parts = Parts<Volume, Sum, Line>;
+
+    /// The cosine.
+    template <int dim>
+    static Prepared prepare(const auto&, const auto&, const Lattice<dim>&, const Parameters& parameters) {
+        return {.cosine = std::cos(parameters.contact_angle)};
+    }
 };
 
 /// dv_a/dt = 1/m_a sum_b V_a V_b (n . grad_a W_ab) f, in m/s^2, with n and f of ContactAngle in whichever of the two is

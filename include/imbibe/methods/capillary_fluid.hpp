@@ -10,8 +10,8 @@ namespace imbibe {
 
 /// The tension of the interface with another fluid that lists it too, beside a method of their flow:
 /// `struct Oil : Fluid<UnderPressure<>, CorrectedGradients<K>, Instead<DensityFloor>, MorrisViscosity<K>,
-/// CapillaryFluid<K>> {};`, `Water` the same, and `struct Between : CouplingOf<Oil, Water, MorrisViscosity<K>> {};` with
-/// the coefficients InterfaceTensionParameters. `presets::TwoLiquids` has all of it.
+/// CapillaryFluid<K>> {};`, `Water` the same, and `struct Between : CouplingOf<Oil, Water, MorrisViscosity<K>> {};`
+/// with the coefficients InterfaceTensionParameters. `presets::TwoLiquids` has all of it.
 ///
 /// In couplings with walls and solids, which bear the pull, ContactAngleParameters say at which angle the interface
 /// meets them.
@@ -19,8 +19,9 @@ template <class Kernel = WendlandC2>
 struct CapillaryFluid : Method<InterfaceForce<Kernel>> {
     /// What acts between such a fluid and another one, and between it and a wall or solid.
     template <class Liquid, class Other>
-    using coupling = std::conditional_t<detail::is_fluid<Other>, TypeList<InterfaceTension<Kernel>, InterfaceForce<Kernel>>,
-                                        TypeList<Into<Liquid, ContactAngle<Kernel>>, ContactLineForce<Kernel>>>;
+    using coupling =
+        std::conditional_t<detail::is_fluid<Other>, TypeList<InterfaceTension<Kernel>, InterfaceForce<Kernel>>,
+                           TypeList<Into<Liquid, ContactAngle<Kernel>>, ContactLineForce<Kernel>>>;
 };
 
 } // namespace imbibe

@@ -23,14 +23,13 @@ struct CorrectedGradients : Method<InnerCorrection<Kernel>, CorrectedContinuity<
                                    DensityFloor, CorrectedPressure<Kernel>, StrainShifting<Kernel>> {
     /// What acts between such a fluid and a wall or solid, or between two such fluids.
     template <class Liquid, class Other>
-    using coupling =
-        std::conditional_t<detail::is_fluid<Other>,
-                           TypeList<CorrectedPressure<Kernel>, CorrectionNeighbours<Kernel>,
-                                    CorrectedContinuity<Kernel>, ConcentrationNeighbours<Kernel>>,
-                           TypeList<Into<Other, PressureExtrapolation<Kernel>>, CorrectedPressure<Kernel>,
-                                    Into<Liquid, CorrectionNeighbours<Kernel>>,
-                                    Into<Liquid, CorrectedContinuity<Kernel>>,
-                                    Into<Liquid, ConcentrationNeighbours<Kernel>>>>;
+    using coupling = std::conditional_t<
+        detail::is_fluid<Other>,
+        TypeList<CorrectedPressure<Kernel>, CorrectionNeighbours<Kernel>, CorrectedContinuity<Kernel>,
+                 ConcentrationNeighbours<Kernel>>,
+        TypeList<Into<Other, PressureExtrapolation<Kernel>>, CorrectedPressure<Kernel>,
+                 Into<Liquid, CorrectionNeighbours<Kernel>>, Into<Liquid, CorrectedContinuity<Kernel>>,
+                 Into<Liquid, ConcentrationNeighbours<Kernel>>>>;
 };
 
 } // namespace imbibe

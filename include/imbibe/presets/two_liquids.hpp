@@ -16,10 +16,10 @@
 
 namespace imbibe::presets {
 
-/// Two liquids with the tension of their interface, by corrected gradients with WendlandC2, for a support of 3 spacings,
-/// in walls to which both stick and which the interface meets at a given angle. They fill what they are in: there is no
-/// free surface. Both have the same spacing. Choose sound speeds that make rho c^2 of both the same, and c of the heavier
-/// one ten times the greatest speed.
+/// Two liquids with the tension of their interface, by corrected gradients with WendlandC2, for a support of 3
+/// spacings, in walls to which both stick and which the interface meets at a given angle. They fill what they are in:
+/// there is no free surface. Both have the same spacing. Choose sound speeds that make rho c^2 of both the same, and c
+/// of the heavier one ten times the greatest speed.
 ///
 /// For densities that differ by up to 10 (docs/validation.md, rising-bubble). With more the sound of the lighter one
 /// makes steps short.
@@ -45,7 +45,7 @@ struct TwoLiquids {
 
     /// What there is to choose of the interface.
     struct Interface {
-        double surface_tension = 0;                   ///< sigma, N/m
+        double surface_tension = 0;                    ///< sigma, N/m
         double contact_angle = 0.5 * std::numbers::pi; ///< with the walls, rad, measured in the water
     };
 
