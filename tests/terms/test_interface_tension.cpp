@@ -165,6 +165,15 @@ TEST_CASE("The pull at a contact line is sigma cos theta, in both fluids togethe
                       imbibe_test::contains("Between: InterfaceTensionParameters::surface_tension = -1 N/m"));
 }
 
+TEST_CASE("A tension whose force is not in both fluids is refused") {
+    struct Plain : Fluid<LinearState, WeaklyCompressible<K>> {};
+    struct Wrong : CouplingOf<Water, Plain> {};
+    Solver<2, double, SymplecticEuler, Water, Plain, Wrong> scene({.support_radius = 3, .threads = 1});
+    scene.add(Water{{.density = 1, .sound_speed = 20}}, fill(Box<2>{{0, 0}, {4, 4}}, 1), 1);
+    scene.add(Plain{{.density = 1, .sound_speed = 20}}, fill(Box<2>{{4, 0}, {8, 4}}, 1), 1);
+    CHECK_THROWS_WITH(scene.step(), imbibe_test::contains("Wrong: InterfaceTension without InterfaceForce"));
+}
+
 TEST_CASE("A step is short enough for the capillary waves of two particles") {
     const Water water{{.density = 1, .sound_speed = 20}};
     const Oil oil{{.density = 3, .sound_speed = 20}};

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <string_view>
+#include <type_traits>
 
 namespace imbibe {
 
@@ -52,14 +53,6 @@ struct InterfaceStressField : Field<Rank::symmetric_tensor> {
     static constexpr std::string_view name = "interface_stress", unit = "Pa";
 };
 inline constexpr InterfaceStressField interface_stress{};
-
-namespace detail {
-// 0.4 sqrt(rho dx^3/sigma), s; infinite without a tension.
-inline double capillary_limit(double density, double spacing, double tension) {
-    return tension > 0 ? 0.4 * std::sqrt(density * sq(spacing) * spacing / tension)
-                       : std::numeric_limits<double>::infinity();
-}
-} // namespace detail
 
 /// dv_a/dt = 1/m_a sum_b V_a V_b (T_a + T_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho and the stress T of
 /// InterfaceTension. Equal and opposite: momentum is conserved exactly.
@@ -136,12 +129,27 @@ struct InterfaceTension {
     };
     using parts = Parts<Volume, Sum, Stress>;
 
+    /// Throws Error where the stress would act between the fluids and not within them. @param coupling of the two,
+    /// @param where its name in the message
+    static void check(const auto& coupling, std::string_view where) {
+        using Between = std::remove_cvref_t<decltype(coupling)>;
+        using Force = InterfaceForce<Kernel>;
+        require(detail::contains<Force, typename Between::terms> &&
+                    detail::contains<Force, typename Between::First::terms> &&
+                    detail::contains<Force, typename Between::Second::terms>,
+                where,
+                ": InterfaceTension without InterfaceForce of the same kernel in this coupling and in both fluids; ",
+                "list it in all three (the method CapillaryFluid does)");
+    }
+
     static constexpr const char* limit_name = "interface tension";
     /// 0.4 sqrt(rho dx^3/sigma), s, with the mean density of the two: capillary waves of two particles' length.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                                   const Parameters& parameters) {
-        return detail::capillary_limit(0.5 * (material_a.density + material_b.density),
-                                       std::min(in.spacing, in.other_spacing), parameters.surface_tension);
+        if (parameters.surface_tension == 0)
+            return std::numeric_limits<double>::infinity();
+        return 0.4 * std::sqrt(0.5 * (material_a.density + material_b.density) *
+                               power<3>(std::min(in.spacing, in.other_spacing)) / parameters.surface_tension);
     }
 };
 
