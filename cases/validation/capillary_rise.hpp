@@ -1,10 +1,11 @@
 // Water that rises between two plates, against its weight, and pushes out what was there.
 //
-// Reference: Jurin; between plates at a distance d, beside a gap D, the levels differ by 2 sigma cos theta/((rho -
-// rho_o) g) (1/d - 1/D). Geometry: d = 1, D = 2, plates of 4 spacings that end 0.6 from floor and ceiling, in a
-// periodic row; water up to 1.5; rho = sigma = 1, rho_o = 0.5, g = 1, viscosity 0.03 of both; the levels begin with
-// half of the difference. Scheme: presets::TwoLiquids; sound is 14. Measure: the mean level of water between the
-// plates, by its volume, less that in the other gap, from t = 7.5 to 10.
+// Reference: Jurin; between plates at a distance d, beside a gap D, the levels differ by
+// 2 sigma cos theta/((rho - rho_o) g) (1/d - 1/D).
+// Geometry: d = 1, D = 2, plates of 4 spacings that end 0.6 from floor and ceiling, in a periodic row; water up to 1.5;
+// rho = sigma = 1, rho_o = 0.5, g = 1, viscosity 0.03 of both; the levels begin with half of the difference.
+// Scheme: presets::TwoLiquids, from a lattice jittered by a fifth of a spacing; sound is 14.
+// Measure: the mean level of water between the plates, by its volume, less that in the other gap, from t = 7.5 to 10.
 #pragma once
 
 #include "case.hpp"
@@ -28,9 +29,9 @@ using Point = Eigen::Vector2d;
 
 constexpr double wide = 2, level = 1.5, height = 4, lowest = 0.6, lighter = 0.5, gravity = 1;
 
-/// By how much the levels differ in the end. @param across particles between the plates @param degrees the contact
-/// angle
-/// @param begun by how much they do at first
+/// By how much the levels differ in the end.
+/// @param across particles between the plates @param degrees the contact angle @param begun by how much they differ at
+/// first
 inline double rise(double across, double degrees, double begun) {
     constexpr double end = 10;
     const double spacing = 1 / across, thick = 4 * spacing, width = 1 + wide + 2 * thick;

@@ -1,6 +1,6 @@
 // A small wave on the flat interface of two liquids, which their tension drives and their viscosity damps.
 //
-// Reference: exact, Prosperetti (1981), Eqs. (22) to (24), for two liquids of the same density and viscosity.
+// Reference: exact, Prosperetti (1981), for two liquids of the same density and viscosity.
 // Geometry: wave length = rho = sigma = 1, a height of 1 of each liquid, an amplitude of 0.02, viscosity 0.01.
 // Scheme: presets::TwoLiquids on a square lattice that is shifted as the wave moves it; sound is 20.
 // Measure: the mode of the lower liquid, a = 2 sum_b V_b cos(k x_b): its period from the first to the fifth passage

@@ -1,9 +1,9 @@
 // A bubble that rises in a liquid of ten times its density and viscosity: first test of Hysing and others (2009).
 //
-// Reference: Hysing, Turek, Kuzmin, Parolini, Burman, Ganesan and Tobiska (2009), where three codes agree to the last
-// of these digits. Geometry: a disc of R = 0.25 in a box of 1 by 2 with its centre 0.5 above the floor; rho = 1000 and
-// 100, viscosity 10 and 1, gravity 0.98, tension 24.5; floor and ceiling are no-slip, the sides those of a periodic row
-// of bubbles. Scheme: presets::TwoLiquids; sound of the liquid is 14, the pressure starts as that of a liquid at rest.
+// Reference: Hysing, Turek, Kuzmin, Parolini, Burman, Ganesan and Tobiska (2009).
+// Geometry: a disc of R = 0.25 in a box of 1 by 2 with its centre 0.5 above the floor; rho = 1000 and 100, viscosity 10
+// and 1, gravity 0.98, tension 24.5; floor and ceiling are no-slip, the sides those of a periodic row of bubbles.
+// Scheme: presets::TwoLiquids; sound of the liquid is 14, the pressure starts as that of a liquid at rest.
 // Measure: at t = 3 the height of the bubble's centre of mass; its greatest speed, over times of 0.3, within which the
 // sound of the start goes up and down once; the least circularity 2 sqrt(pi A)/P, with the length P = sum V |G|/sigma.
 #pragma once

@@ -104,7 +104,8 @@ using EveryPairPart = TypeList<
 using OtherPairParts =
     TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
              Case<NoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
-             Case<ParticleShifting<>::Approach, Water, Water, false>, Case<ContactAngle<>::Sum, Water, Sponge, false>, Case<SummationNeighbours<>, Water, Water, false>>;
+             Case<ParticleShifting<>::Approach, Water, Water, false>, Case<ContactAngle<>::Sum, Water, Sponge, false>,
+             Case<SummationNeighbours<>, Water, Water, false>>;
 
 template <class F, class... C>
 void for_each_case(TypeList<C...>, F f) {

@@ -26,12 +26,13 @@ namespace imbibe::presets {
 struct TwoLiquids {
     /// The kernel of all terms.
     using K = WendlandC2;
+    /// What both are made of.
+    using Immiscible = Fluid<UnderPressure<LinearState>, CorrectedGradients<K>, Instead<DensityFloor>,
+                             MorrisViscosity<K>, CapillaryFluid<K>>;
     /// The one in which the contact angle is measured.
-    struct Water : Fluid<UnderPressure<LinearState>, CorrectedGradients<K>, Instead<DensityFloor>, MorrisViscosity<K>,
-                         CapillaryFluid<K>> {};
+    struct Water : Immiscible {};
     /// The other one: an oil, or a gas.
-    struct Oil : Fluid<UnderPressure<LinearState>, CorrectedGradients<K>, Instead<DensityFloor>, MorrisViscosity<K>,
-                       CapillaryFluid<K>> {};
+    struct Oil : Immiscible {};
     struct Vessel : Wall<> {};
     /// Between the two liquids.
     struct Between : CouplingOf<Water, Oil, MorrisViscosity<K>> {};

@@ -44,10 +44,8 @@ struct UnderPressure {
     };
     using parts = Parts<Add>;
 
-    /// The density at a pressure p, Pa: that of State at p - p_b, kg/m^3.
-    static double density_at(const auto& material, double p) {
-        return State::density_at(material, p - material.coefficients.template get<Parameters>().background);
-    }
+    /// The density at a pressure p above p_b, Pa: that of State, kg/m^3. So start_hydrostatic gives the surface p_b.
+    static double density_at(const auto& material, double p) { return State::density_at(material, p); }
     /// Throws Error where DensityFloor stands beside it. @param owner the fluid, @param where its name in the message
     static void check(const auto& owner, std::string_view where) {
         using Terms = typename std::remove_cvref_t<decltype(owner)>::terms;
