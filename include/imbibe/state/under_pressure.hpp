@@ -3,12 +3,12 @@
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/term.hpp>
-#include <imbibe/fluid/density_floor.hpp>
 #include <imbibe/state/linear_state.hpp>
 
-#include <cmath>
 
 namespace imbibe {
+
+struct DensityFloor; // fluid/density_floor.hpp, a folder above this one
 
 /// Coefficients of UnderPressure.
 struct UnderPressureParameters {
