@@ -5,6 +5,8 @@
 #include <imbibe/core/term.hpp>
 #include <imbibe/state/linear_state.hpp>
 
+#include <string_view>
+#include <type_traits>
 
 namespace imbibe {
 
