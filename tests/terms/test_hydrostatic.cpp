@@ -152,7 +152,20 @@ TEST_CASE("start_hydrostatic refuses what has no depth") {
     CHECK_THROWS_WITH(start_hydrostatic(scene, there, 500),
                       imbibe_test::contains("a surface at 500 m") && imbibe_test::contains("Is the surface in metres"));
     CHECK_THROWS_WITH(start_hydrostatic(scene, there, std::nan("")), imbibe_test::contains("surface = nan m"));
+    CHECK_THROWS_WITH(start_hydrostatic(scene, there, 1, -5), imbibe_test::contains("at_the_surface = -5 Pa"));
     CHECK_NOTHROW(start_hydrostatic(scene, there, 1));
+}
+
+TEST_CASE("start_hydrostatic adds the pressure that the surface has") {
+    using Water = Liquid<LinearState, VolumeContinuity<K>>;
+    Solver<2, double, SymplecticEuler, Water> scene({.gravity = {0, -9.81}, .support_radius = 0.3});
+    const auto water = scene.add(Water{{.density = rho, .sound_speed = c}}, fill(Box<2>({0, 0}, {1, 1}), 0.1), 0.1);
+    start_hydrostatic(scene, water, 0.6, 500);
+    const auto view = scene[water];
+    for (int i = 0; i < view.size(); ++i) {
+        const double depth = std::max(0.6 - view[position](i, 1), 0.0);
+        CHECK(view[density](i) == Approx((rho + 500 / (c * c)) * std::exp(9.81 * depth / (c * c))).epsilon(1e-12));
+    }
 }
 
 } // namespace hydrostatic_test

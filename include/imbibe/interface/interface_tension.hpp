@@ -35,13 +35,19 @@ struct WettingGradient : Field<Rank::vector> {
 };
 inline constexpr WettingGradient wetting_gradient{};
 
+/// sum_b V_b W_ab over the same, without unit: the share of the kernel that is in walls and solids.
+struct SolidShare : Field<Rank::scalar> {
+    static constexpr std::string_view name = "solid_share", unit = "1";
+};
+inline constexpr SolidShare solid_share{};
+
 /// The direction of solid_gradient.
 struct SolidDirection : Field<Rank::vector> {
     static constexpr std::string_view name = "solid_direction", unit = "1";
 };
 inline constexpr SolidDirection solid_direction{};
 
-/// How walls and solids pull at the line in which two fluids meet them, along their surface, Pa.
+/// How walls and solids pull at the line in which two fluids meet them, Pa.
 struct ContactLinePull : Field<Rank::vector> {
     static constexpr std::string_view name = "contact_line_pull", unit = "Pa";
     static constexpr bool shown = true;
@@ -171,15 +177,21 @@ struct PreparedContactAngle {
     double cosine = 1; ///< cos theta
 };
 
-/// The pull at the contact line, f_a = 8/3 c_a (1 - n (x) n) G_a, in Pa, with the direction n of g_a = sum_b V_b grad_a
-/// W_ab over walls and solids, c_a = cos theta, their mean where there are several, and G of InterfaceTension: along
-/// the surface towards the other fluid where theta is below 90 degrees. `Into` each of the two fluids, in its coupling
-/// with the wall or solid, beside ContactLineForce.
+/// The pull at the contact line, in Pa,
 ///
-/// Summed up over both fluids, f |g| is sigma cos theta, per length of the line, at whatever angle the interface meets
-/// the surface: half of the kernel of a particle at the surface is not in a fluid, of which 8/3 in place of 2 is made.
-/// At rest that is what balances the interface at the angle theta (Young 1805). docs/validation.md has what comes out
-/// (sessile-drop, capillary-rise).
+///     f_a = 2/(1 - s_a) (c_a G_t + |G_t|^2/|G_a| n_a),    G_t = (1 - n_a (x) n_a) G_a,
+///
+/// with G of InterfaceTension, the share s_a = sum_b V_b W_ab of walls and solids and their direction n_a, that of g_a =
+/// sum_b V_b grad_a W_ab, and c_a = cos theta, their mean where there are several. `Into` each of the two fluids, in its
+/// coupling with the wall or solid, beside ContactLineForce.
+///
+/// Along the surface the line is pulled with sigma cos theta per length, towards the other fluid where theta is below 90
+/// degrees: at rest that balances the interface at the angle theta (Young 1805). Into the solid it is held against the
+/// interface that lifts it off, at whatever angle that meets the surface: |G_t|/|G_a| is the sine of it. Without this
+/// second part a gap opens at the line.
+///
+/// The sums of |g| over the fluids' particles come to 1/2 per area of the surface, and those of G along it to (1 - s)
+/// sigma, which makes the factor. docs/validation.md has what comes out (sessile-drop, capillary-rise).
 ///
 /// Not for walls and solids thinner than a support radius, or with channels narrower than two.
 ///
@@ -192,16 +204,16 @@ struct ContactAngle {
     static constexpr bool between_fluid_and_other = true;
     struct Sum {
         using reads = Fields<volume>;
-        using adds = Fields<solid_gradient, wetting_gradient>;
+        using adds = Fields<solid_gradient, wetting_gradient, solid_share>;
         Prepared prepared{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
             const auto weight = b[volume] * ab.gradient(Kernel{});
-            return values(along(ab, weight), along(ab, prepared.cosine * weight));
+            return values(along(ab, weight), along(ab, prepared.cosine * weight), b[volume] * ab.value(Kernel{}));
         }
     };
     struct Line {
-        using reads = Fields<solid_gradient, wetting_gradient, interface_gradient>;
+        using reads = Fields<solid_gradient, wetting_gradient, solid_share, interface_gradient>;
         using sets = Fields<solid_direction, contact_line_pull>;
         static constexpr bool in_packs = true;
 
@@ -211,7 +223,10 @@ struct ContactAngle {
             const auto shortened = 1 / max(sqrt(squared_norm(g)), 1e-30);
             const auto n = shortened * g;
             const auto cosine = shortened * dot(n, a[wetting_gradient]);
-            return values(n, (8.0 / 3 * cosine) * (G - dot(n, G) * n));
+            const auto G_t = G - dot(n, G) * n;
+            const auto held = squared_norm(G_t) / max(sqrt(squared_norm(G)), 1e-30);
+            const auto outside = max(1 - a[solid_share], 0.25); // what a corner leaves of the kernel
+            return values(n, (2 / outside) * (cosine * G_t + held * n));
         }
     };
     using parts = Parts<Volume, Sum, Line>;
@@ -226,8 +241,7 @@ struct ContactAngle {
 /// dv_a/dt = 1/m_a sum_b V_a V_b (n . grad_a W_ab) f, in m/s^2, with n and f of ContactAngle in whichever of the two is
 /// the fluid: V_a |g_a| f_a is the force on a fluid's particle. Equal and opposite: solids are pulled at.
 ///
-/// In the coupling of each of two fluids with a wall or solid, beside ContactAngle `Into` the fluid. The pull of the
-/// interface off the surface comes to the solid by the fluid's pressure.
+/// In the coupling of each of two fluids with a wall or solid, beside ContactAngle `Into` the fluid.
 ///
 /// Not without InterfaceTension between the fluids.
 ///

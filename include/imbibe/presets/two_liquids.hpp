@@ -55,14 +55,18 @@ struct TwoLiquids {
         detail::require_positive(spacing, "TwoLiquids::set_coefficients", "spacing", "m");
         liquid.set(UnderPressureParameters{.background = 1.5 * interface.surface_tension / spacing});
     }
-    /// Those of the couplings.
-    template <int dim, class Real>
-    static void set_coefficients(Scene<dim, Real>& scene, const Interface& interface) {
+    /// Those of the couplings, after all was added. @param scene with these liquids, coupling and walls
+    static void set_coefficients(auto& scene, const Interface& interface) {
         scene.template coupling<Between>().set(
             InterfaceTensionParameters{.surface_tension = interface.surface_tension});
+        set_contact_angle<Sides>(scene, interface);
+    }
+    /// Those of the couplings With<Water> and With<Oil> with one wall or solid. @tparam With such as Sides
+    template <template <class> class With>
+    static void set_contact_angle(auto& scene, const Interface& interface) {
         const double angle = interface.contact_angle;
-        scene.template coupling<Sides<Water>>().set(ContactAngleParameters{.contact_angle = angle});
-        scene.template coupling<Sides<Oil>>().set(ContactAngleParameters{.contact_angle = std::numbers::pi - angle});
+        scene.template coupling<With<Water>>().set(ContactAngleParameters{.contact_angle = angle});
+        scene.template coupling<With<Oil>>().set(ContactAngleParameters{.contact_angle = std::numbers::pi - angle});
     }
 };
 

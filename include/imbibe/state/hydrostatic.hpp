@@ -39,13 +39,13 @@ double density_at(const Material& material, double p, TypeList<Terms...>) {
     return found;
 }
 
-// The pressure at a depth under a surface that has none, dp/d(depth) = rho(p) g, Pa. @param g of gravity, m/s^2
+// The pressure at a depth under a surface that has the pressure p, dp/d(depth) = rho(p) g, Pa. @param g of gravity,
+// m/s^2
 template <class Material>
-double hydrostatic_pressure(const Material& material, double g, double depth) {
+double hydrostatic_pressure(const Material& material, double g, double depth, double p) {
     constexpr int steps = 8; // of Runge and Kutta's; water is compressed so little that one would do, not a gas
     const double h = depth / steps;
     const auto slope = [&](double p) { return g * density_at(material, p, typename Material::terms{}); };
-    double p = 0;
     for (int k = 0; k < steps; ++k) {
         const double a = slope(p), b = slope(p + 0.5 * h * a), c = slope(p + 0.5 * h * b), d = slope(p + h * c);
         p += h / 6 * (a + 2 * b + 2 * c + d);
@@ -63,7 +63,7 @@ double hydrostatic_pressure(const Material& material, double g, double depth) {
 /// sph::start_hydrostatic(scene, water, depth);
 /// ```
 /// Without it a liquid starts with no pressure at all, falls into its own springs, and the pressure swings between
-/// nothing and twice its mean for seconds of run time. Above the surface nothing is changed.
+/// nothing and twice its mean for seconds of run time. What is above the surface has the pressure of the surface.
 ///
 /// The mass has to follow because volumes, m/rho, are those between which the particles were put: with denser
 /// particles of the same mass they would be too small for their lattice, and the liquid would fall a little after all.
@@ -73,20 +73,21 @@ double hydrostatic_pressure(const Material& material, double g, double depth) {
 /// p)`, kg/m^3, of the pressure p in Pa.
 ///
 /// Not for a column that is let go at once (a dam break), whose pressure is another one; not where the liquid does not
-/// stand, layer by layer, on a wall or on a denser liquid. Not for two liquids one above the other: the surface of the
-/// lower one has a pressure.
+/// stand, layer by layer, on a wall or on a denser liquid. Of two liquids, one above the other, the lower one has a
+/// pressure at its surface: the weight of the upper one, rho g times its height.
 ///
 /// @param scene the scene
 /// @param phase the liquid: what Solver::add returned
 /// @param surface how high the surface stands, m, measured upwards (against Settings::gravity) from the origin of the
 /// coordinates: with gravity along -y simply its y
+/// @param at_the_surface the pressure there, Pa, above that of UnderPressure
 /// @throws Error for a scene without gravity or with a period along it, a liquid without particles, and a surface that
 /// is not a finite number, below all of them, or so high above them that the lowest would have more than 3 times its
-/// density
+/// density; a pressure there that is negative or not finite
 ///
 /// Source: hydrostatics; that mass and density go together: the case still-water of docs/validation.md.
 template <class Scene, class Phase>
-void start_hydrostatic(Scene& scene, Phase phase, double surface) {
+void start_hydrostatic(Scene& scene, Phase phase, double surface, double at_the_surface = 0) {
     using Real = typename Scene::Real;
     constexpr int dim = Scene::dimension;
     const auto& settings = scene.settings();
@@ -122,8 +123,9 @@ void start_hydrostatic(Scene& scene, Phase phase, double surface) {
     require(std::isfinite(surface) && surface > lowest, "start_hydrostatic: surface = ", surface,
             " m; it must be a finite number above the lowest particle, ", lowest,
             " m, usually half a spacing above the highest, ", highest, " m");
+    require_not_negative(at_the_surface, "start_hydrostatic", "at_the_surface", "Pa");
     const auto density_under = [&](double depth) {
-        const double p = detail::hydrostatic_pressure(material, g, std::max(depth, 0.0));
+        const double p = detail::hydrostatic_pressure(material, g, std::max(depth, 0.0), at_the_surface);
         return detail::density_at(material, p, typename std::remove_cvref_t<decltype(material)>::terms{});
     };
     const double densest = density_under(surface - lowest) / material.density;
