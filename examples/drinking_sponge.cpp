@@ -1,13 +1,14 @@
 // A sponge whose underside touches water drinks it up through its pores, against its weight.
 //
-// The slab of the paper, 35 x 7 x 4 mm of it, periodic along y, soft and held at both ends, in a closed box that is half
-// full of water. Above the water is a gas, ten times lighter (air would be 800 times: presets/two_liquids.hpp). Where the
-// water wets the sponge, with a contact angle below 90 degrees, it rises in the pores; where it does not, it stays
-// outside.
+// The slab of the paper, 35 x 7 x 4 mm of it, periodic along y, soft and held at both ends, in a closed box that is
+// half full of water. Above the water is a gas, ten times lighter (air would be 800 times: presets/two_liquids.hpp).
+// Where the water wets the sponge, with a contact angle below 90 degrees, it rises in the pores; where it does not, it
+// stays outside.
 //
 //   build/drinking_sponge               then open out-drinking-sponge/water.pvd and sponge.pvd in ParaView
 //   build/drinking_sponge 120           with a contact angle of 120 instead of 45 degrees
 //   build/drinking_sponge 45 1.5        with pores of 1.5 instead of 2 mm in radius
+//   build/drinking_sponge 45 2 0.5      with a spacing of 0.5 instead of 0.35 mm
 //   python3 tools/render_sponge.py out-drinking-sponge --times 0 6 12 30 -o drinking_sponge.png
 #include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
@@ -27,7 +28,8 @@ int main(int, char** argv) {
     try {
         const double degrees = sph::example::number(argv, 1, "the contact angle in degrees", 45, 0, 180);
         const double radius = 1e-3 * sph::example::number(argv, 2, "the radius of the pores in mm", 2, 0.5, 2.5);
-        const double dx = 0.35e-3, g = 9.81, end = 0.03, E = 7e4, nu = 0.3, angle = degrees * std::numbers::pi / 180;
+        const double dx = 1e-3 * sph::example::number(argv, 3, "the spacing in mm", 0.35, 0.2, 0.5);
+        const double g = 9.81, end = 0.03, E = 7e4, nu = 0.3, angle = degrees * std::numbers::pi / 180;
         const double sound = 4, light = 100, above = 28 * dx, below = -17 * dx, beside = 14 * dx, level = 3 * dx;
 
         const sph::presets::PaperSlab numbers{.pore_radius = radius, .rows = 1};
@@ -39,7 +41,7 @@ int main(int, char** argv) {
                      .support_radius = 3 * dx,
                      .periodic_lower = {-beside, 0, 0},
                      .periodic_length = {length + 2 * beside, width, 0}});
-        const Preset::Interface interface{.surface_tension = 0.072, .contact_angle = angle};
+        const Preset::Interface interface { .surface_tension = 0.072, .contact_angle = angle };
         Preset::Water water{{.density = 1000, .sound_speed = sound, .viscosity = 3.5e-3}};
         Preset::Oil gas{{.density = light, .sound_speed = sound * std::sqrt(1000 / light), .viscosity = 0.7e-3}};
         Preset::set_coefficients(water, interface, dx);

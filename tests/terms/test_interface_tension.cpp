@@ -166,6 +166,24 @@ TEST_CASE("The pull at a contact line is sigma cos theta along the surface, and 
                       imbibe_test::contains("Between: InterfaceTensionParameters::surface_tension = -1 N/m"));
 }
 
+TEST_CASE("A solid at the rim of the support pulls at no contact line, in float either") {
+    struct Vessel : Wall<> {};
+    struct Wet : CouplingOf<Water, Vessel> {};
+    struct Dry : CouplingOf<Oil, Vessel> {};
+    using Scene = Solver<2, float, SymplecticEuler, Water, Oil, Vessel, Between, Wet, Dry>;
+    Scene scene({.support_radius = 1, .threads = 1});
+    scene.add(Water{{.density = 1, .sound_speed = 20}}, std::vector<Point<2>>{{0, 0}}, 0.1);
+    scene.add(Oil{{.density = 1, .sound_speed = 20}}, std::vector<Point<2>>{{0.3, 0.4}}, 0.1);
+    scene.add(Vessel{{.density = 1}}, std::vector<Point<2>>{{0, -0.9999999}}, 0.1);
+    scene.coupling<Between>().set(InterfaceTensionParameters{.surface_tension = 1});
+    scene.step(1e-6);
+    const auto water = scene.get<Water>();
+    CHECK(water[solid_gradient].norm() > 0);
+    CHECK(water[solid_gradient].norm() < 1e-19); // its square is 0
+    CHECK(water[solid_direction].norm() < 1e-10);
+    CHECK(water[contact_line_pull].norm() < 2.1 * water[interface_gradient].norm());
+}
+
 TEST_CASE("A tension whose force is not in both fluids is refused") {
     struct Plain : Fluid<LinearState, WeaklyCompressible<K>> {};
     struct Wrong : CouplingOf<Water, Plain> {};

@@ -220,12 +220,13 @@ struct ContactAngle {
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             const auto& g = a[solid_gradient];
             const auto& G = a[interface_gradient];
-            const auto shortened = 1 / max(sqrt(squared_norm(g)), 1e-30);
+            // Of a neighbour at the rim of the support alone no direction is left in float: n is then shorter than 1.
+            const auto shortened = 1 / max(sqrt(squared_norm(g)), 1e-6 / a.material.support_radius);
             const auto n = shortened * g;
             const auto cosine = shortened * dot(n, a[wetting_gradient]);
             const auto G_t = G - dot(n, G) * n;
             const auto held = squared_norm(G_t) / max(sqrt(squared_norm(G)), 1e-30);
-            const auto outside = max(1 - a[solid_share], 0.25); // what a corner leaves of the kernel
+            const auto outside = max(1 - a[solid_share], 0.5); // what a flat surface leaves of the kernel
             return values(n, (2 / outside) * (cosine * G_t + held * n));
         }
     };

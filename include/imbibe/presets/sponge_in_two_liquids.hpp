@@ -9,8 +9,8 @@
 namespace imbibe::presets {
 
 /// TwoLiquids and an elastic solid, to which both stick and which their interface meets at a given angle. The interface
-/// pulls at the solid, and the liquids push it. Solid: total-Lagrangian, neo-Hookean, with corrected gradients, hourglass
-/// control and a viscosity that damps its sound.
+/// pulls at the solid, and the liquids push it. Solid: total-Lagrangian, neo-Hookean, with corrected gradients,
+/// hourglass control and a viscosity that damps its sound.
 ///
 /// For pores from 8 spacings of the liquids on, and solid parts of at least a support radius, 3 spacings. The pressure
 /// of 1.5 sigma/spacing that both liquids are under bears on the solid too: with a bulk modulus of a hundred times
