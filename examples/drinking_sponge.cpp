@@ -3,7 +3,8 @@
 // The slab of the paper, 35 x 7 x 4 mm of it, periodic along y, soft and held at both ends, in a closed box that is
 // half full of water. Above the water is a gas, ten times lighter (air would be 800 times: presets/two_liquids.hpp).
 // Where the water wets the sponge, with a contact angle below 90 degrees, it rises in the pores; where it does not, it
-// stays outside.
+// stays outside. It is ten times as viscous as water is, so that it stops where the pores end: else drops come loose
+// there that are single particles.
 //
 //   build/drinking_sponge               then open out-drinking-sponge/water.pvd and sponge.pvd in ParaView
 //   build/drinking_sponge 120           with a contact angle of 120 instead of 45 degrees
@@ -27,7 +28,7 @@ int main(int, char** argv) {
     sph::example::sleep_while_waiting(argv);
     try {
         const double degrees = sph::example::number(argv, 1, "the contact angle in degrees", 45, 0, 180);
-        const double radius = 1e-3 * sph::example::number(argv, 2, "the radius of the pores in mm", 2, 0.5, 2.5);
+        const double radius = 1e-3 * sph::example::number(argv, 2, "the radius of the pores in mm", 2, 0.7, 2.5);
         const double dx = 1e-3 * sph::example::number(argv, 3, "the spacing in mm", 0.35, 0.2, 0.5);
         const double g = 9.81, end = 0.03, E = 7e4, nu = 0.3, angle = degrees * std::numbers::pi / 180;
         const double sound = 4, light = 100, above = 28 * dx, below = -17 * dx, beside = 14 * dx, level = 3 * dx;
@@ -42,7 +43,7 @@ int main(int, char** argv) {
                      .periodic_lower = {-beside, 0, 0},
                      .periodic_length = {length + 2 * beside, width, 0}});
         const Preset::Interface interface { .surface_tension = 0.072, .contact_angle = angle };
-        Preset::Water water{{.density = 1000, .sound_speed = sound, .viscosity = 3.5e-3}};
+        Preset::Water water{{.density = 1000, .sound_speed = sound, .viscosity = 10e-3}};
         Preset::Oil gas{{.density = light, .sound_speed = sound * std::sqrt(1000 / light), .viscosity = 0.7e-3}};
         Preset::set_coefficients(water, interface, dx);
         Preset::set_coefficients(gas, interface, dx);

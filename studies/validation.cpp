@@ -5,6 +5,7 @@
 //   build-benchmark/studies/validation turek-hron --resolutions 4   coarse only
 //   build-benchmark/studies/validation all --write docs/validation.md
 #include <cases/validation/capillary_rise.hpp>
+#include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
 #include <cases/validation/cavity.hpp>
 #include <cases/validation/consolidation.hpp>
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
         {"capillary-wave", "particles in its length", {32, 64}, capillary_wave::measure},
         {"sessile-drop", "particles over the radius", {12, 24}, sessile_drop::measure},
         {"capillary-rise", "particles between the plates", {12, 24}, capillary_rise::measure},
+        {"capillary-tube", "particles across the tube", {8, 12}, capillary_tube::measure},
         {"rising-bubble", "particles over the width", {32, 64}, rising_bubble::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},

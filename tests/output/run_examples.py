@@ -25,6 +25,9 @@ EXAMPLES = [
     ("soft_plate", [], "out-soft-plate/plate.pvd", 0.1, (r"hangs down by ([\d.]+) mm", 2.2, 2.45)),
     ("cylinders", ["0.2", "20"], "out-cylinders/glycerine.pvd", None, (r"F/\(mu U\) = ([\d.]+)", 49, 52)),
     ("gyroid", [], "out-gyroid/sponge.pvd", 0.15, (r"(\d+) % of the water is through", 87, 97)),
+    ("drinking_sponge", ["45", "2", "0.5"], "out-drinking-sponge/sponge.pvd", 0.03,
+     (r"(\d+) % of the pores are full", 60, 95)),
+    ("oil_in_sponge", ["20", "60", "0.15"], "out-oil-in-sponge/oil.pvd", None, (r"(\d+) % of the oil is out", 55, 85)),
 ]
 
 # (example, arguments, what it says before it has begun)
@@ -36,6 +39,8 @@ REFUSED = [
     ("soft_plate", [""], "the number of particles across the plate, '', must be a number"),
     ("cylinders", ["0.9"], "the share of the plane that cylinders fill, '0.9', must be a number"),
     ("gyroid", ["nan"], "the solid fraction, 'nan', must be a number"),
+    ("drinking_sponge", ["200"], "the contact angle in degrees, '200', must be a number from 0 to 180"),
+    ("oil_in_sponge", ["0"], "the viscosity of oil over that of water, '0', must be a number from 0.05 to 20"),
 ]
 
 
