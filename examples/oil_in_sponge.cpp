@@ -16,6 +16,7 @@
 #include <imbibe/imbibe.hpp>
 #include <imbibe/presets/sponge_in_two_liquids.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace sph = imbibe;
@@ -56,7 +57,7 @@ int main(int, char** argv) {
         Preset::set_coefficients(water, interface, dx);
         Preset::set_coefficients(oil, interface, dx);
         const auto driving = scene.add(water, sph::jitter<2>(in_water, 0.2 * dx, 1), dx);
-        scene.add(oil, sph::jitter<2>(in_oil, 0.2 * dx, 2), dx);
+        const auto driven = scene.add(oil, sph::jitter<2>(in_oil, 0.2 * dx, 2), dx);
         const auto fibres = scene.add(Preset::Sponge{{.density = 1000,
                                                       .sound_speed = sph::sound_speed_of(E, nu, 1000),
                                                       .shear_modulus = sph::shear_modulus_of(E, nu),
@@ -70,32 +71,35 @@ int main(int, char** argv) {
         Preset::set_coefficients(scene, interface);
         std::printf("%s", sph::describe(scene).c_str());
 
-        // The water in the bed, over its pores, and the farthest of it
-        double farthest = 0;
-        const auto share = [&] {
-            const auto now = scene[driving];
-            double volume = 0;
-            farthest = 0;
-            for (int i = 0; i < now.size(); ++i) {
-                const double x = now[sph::position](i, 0);
-                if (x < length - behind / 2) // what is beyond is the water's rear, through the periodic side
-                    farthest = std::max(farthest, x);
-                if (x > before && x < before + bed)
-                    volume += now[sph::mass](i) / now[sph::density](i);
-            }
-            return volume / pores;
+        // How far the first water has come, and which share of the oil has left the pores
+        const auto farthest = [&] {
+            const auto x = scene[driving][sph::position];
+            double far = 0;
+            for (int i = 0; i < x.rows(); ++i)
+                if (x(i, 0) < length - behind / 2) // what is beyond is the water's rear, through the periodic side
+                    far = std::max<double>(far, x(i, 0));
+            return far;
+        };
+        const auto driven_out = [&] {
+            const auto now = scene[driven];
+            double left = 0;
+            for (int i = 0; i < now.size(); ++i)
+                if (now[sph::position](i, 0) > before && now[sph::position](i, 0) < before + bed)
+                    left += now[sph::mass](i) / now[sph::density](i);
+            return 1 - left / pores;
         };
         sph::Snapshots snapshots("out-oil-in-sponge");
-        sph::Table table("out-oil-in-sponge/oil_in_sponge.csv", {{"time", "s"}, {"share of water", "1"}});
+        sph::Table table("out-oil-in-sponge/oil_in_sponge.csv", {{"time", "s"}, {"driven out", "1"}});
         sph::Progress progress(end, false);
         snapshots(scene);
-        while (scene.time() < end && farthest < before + bed) {
+        while (scene.time() < end && farthest() < before + bed) {
             scene.run_until(scene.time() + 5e-3, progress);
-            table.row({scene.time(), share()});
+            table.row({scene.time(), driven_out()});
             snapshots(scene);
         }
-        std::printf("After %.2f s the first water is through, and %.0f %% of the oil is out of the pores.\n",
-                    scene.time(), 100 * share());
+        std::printf("After %.2f s %s, and %.0f %% of the oil is out of the pores.\n", scene.time(),
+                    farthest() < before + bed ? "no water is through" : "the first water is through",
+                    100 * driven_out());
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "oil_in_sponge: %s\n", error.what());
         return 2;
