@@ -191,7 +191,8 @@ struct PreparedContactAngle {
 /// second part a gap opens at the line.
 ///
 /// The sums of |g| over the fluids' particles come to 1/2 per area of the surface, and those of G along it to (1 - s)
-/// sigma, which makes the factor. docs/validation.md has what comes out (sessile-drop, capillary-rise).
+/// sigma, which makes the factor; s counts as 1/2, that at a flat surface, where it is more. docs/validation.md has what
+/// comes out (sessile-drop, capillary-rise, capillary-tube).
 ///
 /// Not for walls and solids thinner than a support radius, or with channels narrower than two.
 ///

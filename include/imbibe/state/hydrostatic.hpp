@@ -39,18 +39,19 @@ double density_at(const Material& material, double p, TypeList<Terms...>) {
     return found;
 }
 
-// The pressure at a depth under a surface that has the pressure p, dp/d(depth) = rho(p) g, Pa. @param g of gravity,
-// m/s^2
+// The pressure at a depth under a surface that has one, dp/d(depth) = rho(p) g, Pa. @param g of gravity, m/s^2
 template <class Material>
-double hydrostatic_pressure(const Material& material, double g, double depth, double p) {
+double hydrostatic_pressure(const Material& material, double g, double depth, double at_the_surface) {
     constexpr int steps = 8; // of Runge and Kutta's; water is compressed so little that one would do, not a gas
     const double h = depth / steps;
     const auto slope = [&](double p) { return g * density_at(material, p, typename Material::terms{}); };
+    double pressure = at_the_surface;
     for (int k = 0; k < steps; ++k) {
-        const double a = slope(p), b = slope(p + 0.5 * h * a), c = slope(p + 0.5 * h * b), d = slope(p + h * c);
-        p += h / 6 * (a + 2 * b + 2 * c + d);
+        const double a = slope(pressure), b = slope(pressure + 0.5 * h * a), c = slope(pressure + 0.5 * h * b),
+                     d = slope(pressure + h * c);
+        pressure += h / 6 * (a + 2 * b + 2 * c + d);
     }
-    return p;
+    return pressure;
 }
 
 } // namespace detail
