@@ -4,6 +4,7 @@
 #include <imbibe/core/number_in_text.hpp>
 #include <imbibe/output/file.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -173,7 +174,7 @@ private:
         return line;
     }
     static std::string quoted(const std::string& words) {
-        return words.find(',') == std::string::npos ? words : '"' + words + '"';
+        return std::find(words.begin(), words.end(), ',') == words.end() ? words : '"' + words + '"';
     }
     static void require_whole(const std::string& row, std::size_t columns, const std::filesystem::path& path) {
         bool in_words = false;

@@ -3,9 +3,11 @@
 #include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
 #include <cases/validation/rising_bubble.hpp>
+#include <cases/validation/sessile_drop.hpp>
 
 #include <catch_shim.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 TEST_CASE("A wave on an interface converges", "[fluid]") {
@@ -38,4 +40,22 @@ TEST_CASE("Water rises in a round tube") {
     const auto tube = validation::capillary_tube::rise(8, 60);
     CAPTURE(tube.found, tube.exact);
     CHECK(std::abs(tube.found / tube.exact - 1) < 0.15);
+}
+
+TEST_CASE("Two drops that touch become one, which swings and comes to rest round") {
+    namespace drops = validation::sessile_drop;
+    auto scene = drops::drop({6, 4}, 1.0 / 12, 0.05, drops::pi / 2, [](const drops::Point& x) {
+        return std::hypot(std::abs(x[0] - 3) - 0.7, x[1] - 2) < 0.7;
+    });
+    const auto length_over_height = [&] {
+        const auto x = scene.get<drops::Preset::Water>()[imbibe::position];
+        const auto spread = [](const auto& column) { return (column.array() - column.mean()).square().mean(); };
+        return std::sqrt(spread(x.col(0)) / spread(x.col(1)));
+    };
+    CHECK(length_over_height() > 2);
+    double least = 9;
+    scene.run_until(6, [&](const auto&) { least = std::min(least, length_over_height()); });
+    CHECK(least < 0.75); // past the circle
+    scene.run_until(12);
+    CHECK(std::abs(length_over_height() - 1) < 0.06);
 }
