@@ -1,10 +1,9 @@
 // A sponge whose underside touches water drinks it up through its pores, against its weight.
 //
-// The slab of the paper, 35 x 7 x 4 mm of it, periodic along y, soft and held at both ends, in a closed box that is
-// half full of water. Above the water is a gas, ten times lighter (air would be 800 times: presets/two_liquids.hpp).
-// Where the water wets the sponge, with a contact angle below 90 degrees, it rises in the pores; where it does not, it
-// stays outside. It is ten times as viscous as water is, so that it stops where the pores end: else drops come loose
-// there that are single particles.
+// The slab of the paper, 35 x 7 x 4 mm of it, periodic along y, soft and held at both ends, in a closed box half full
+// of water. Above it is a gas, ten times lighter (air would be 800 times). Where the water wets the sponge, with a
+// contact angle below 90 degrees, it rises in the pores. It is ten times as viscous as water is, so that it stops where
+// they end: else drops come loose there that are single particles.
 //
 //   build/drinking_sponge               then open out-drinking-sponge/water.pvd and sponge.pvd in ParaView
 //   build/drinking_sponge 120           with a contact angle of 120 instead of 45 degrees
@@ -30,40 +29,33 @@ int main(int, char** argv) {
         const double degrees = sph::example::number(argv, 1, "the contact angle in degrees", 45, 0, 180);
         const double radius = 1e-3 * sph::example::number(argv, 2, "the radius of the pores in mm", 2, 0.7, 2.5);
         const double dx = 1e-3 * sph::example::number(argv, 3, "the spacing in mm", 0.35, 0.2, 0.5);
-        const double g = 9.81, end = 0.03, E = 7e4, nu = 0.3, angle = degrees * std::numbers::pi / 180;
-        const double sound = 4, light = 100, above = 28 * dx, below = -17 * dx, beside = 14 * dx, level = 3 * dx;
+        const double g = 9.81, end = 0.03, sound = 4, light = 100, fine = 0.5e-3, length = 35e-3, width = 7e-3,
+                     top = 4e-3;
+        const double above = 28 * dx, below = -17 * dx, beside = 14 * dx, level = 3 * dx;
 
-        const sph::presets::PaperSlab numbers{.pore_radius = radius, .rows = 1};
+        const sph::presets::PaperSlab numbers{.pore_radius = radius, .spacing = fine, .rows = 1};
         const auto slab = sph::presets::paper_slab(numbers);
-        const double length = slab.slab().upper()[0], width = slab.slab().upper()[1], top = slab.slab().upper()[2];
-        std::printf("%s\n", sph::pore_report(slab, dx).sentence.c_str());
+        const sph::Box<3> inside{{-beside, 0, below}, {length + beside, width, above}};
+        std::vector<sph::Point<3>> in_water, in_gas;
+        for (const auto& x : sph::fill(inside, dx)) // the slab's particles lie on its faces and reach beyond them
+            if (x[2] < -fine / 2 || x[2] > top + fine / 2 || !slab.contains({x[0], x[1], top / 2}))
+                (x[2] < level ? in_water : in_gas).push_back(x);
 
         Scene scene({.gravity = {0, 0, -g},
                      .support_radius = 3 * dx,
                      .periodic_lower = {-beside, 0, 0},
                      .periodic_length = {length + 2 * beside, width, 0}});
-        const Preset::Interface interface { .surface_tension = 0.072, .contact_angle = angle };
+        const Preset::Interface interface {
+            .surface_tension = 0.072, .contact_angle = degrees * std::numbers::pi / 180
+        };
         Preset::Water water{{.density = 1000, .sound_speed = sound, .viscosity = 10e-3}};
         Preset::Oil gas{{.density = light, .sound_speed = sound * std::sqrt(1000 / light), .viscosity = 0.7e-3}};
         Preset::set_coefficients(water, interface, dx);
         Preset::set_coefficients(gas, interface, dx);
-        // The slab's particles lie on its faces: it is thicker by half a spacing of theirs on both sides.
-        const double face = 0.5 * numbers.spacing;
-        const sph::Box<3> inside{{-beside, 0, below}, {length + beside, width, above}};
-        std::vector<sph::Point<3>> in_water, in_gas;
-        for (const auto& x : sph::fill(inside, dx)) {
-            const bool at_slab = x[0] > 0 && x[0] < length;
-            if (at_slab && x[2] > -face && x[2] < top + face && slab.contains({x[0], x[1], 0.5 * top}))
-                continue;
-            (x[2] < level ? in_water : in_gas).push_back(x);
-        }
         const auto drink = scene.add(water, sph::jitter<3>(in_water, 0.2 * dx, 1), dx);
         const auto air = scene.add(gas, sph::jitter<3>(in_gas, 0.2 * dx, 2), dx);
-        const auto sponge = scene.add(Preset::Sponge{{.density = 950,
-                                                      .sound_speed = sph::sound_speed_of(E, nu, 950),
-                                                      .shear_modulus = sph::shear_modulus_of(E, nu),
-                                                      .support_radius = 2 * numbers.spacing}},
-                                      sph::presets::paper_slab_particles(numbers), numbers.spacing);
+        const auto sponge =
+            scene.add(Preset::elastic(7e4, 0.3, 950, fine), sph::presets::paper_slab_particles(numbers), fine);
         scene.hold(sponge, [&](const auto& x) { return x[0] < 1e-3 || x[0] > length - 1e-3; });
         scene.add(Preset::Vessel{{.density = 1000}}, sph::tank(inside, dx, 3, sph::Sides::x | sph::Sides::y), dx);
         Preset::set_coefficients(scene, interface);
@@ -71,27 +63,13 @@ int main(int, char** argv) {
         sph::start_hydrostatic(scene, drink, level, light * g * (above - level));
         std::printf("%s", sph::describe(scene).c_str());
 
-        // Which share of the pores has water in it
-        const double pores = 5 * std::numbers::pi * radius * radius * top;
-        const auto drunk = [&] {
-            const auto now = scene[drink];
-            double volume = 0;
-            for (int i = 0; i < now.size(); ++i) {
-                const auto x = now[sph::position].row(i);
-                if (x[0] > 0 && x[0] < length && x[2] > 0 && x[2] < top)
-                    volume += now[sph::mass](i) / now[sph::density](i);
-            }
-            return volume / pores;
-        };
-        const sph::DisplacementProbe<3> probe(scene[sponge]);
-        sph::Snapshots snapshots("out-drinking-sponge");
-        sph::Table table("out-drinking-sponge/drinking_sponge.csv",
-                         {{"time", "s"}, {"filled", "1"}, {"pulled down", "m"}});
-        scene.run_until(end, sph::Progress(end, false), sph::every(1e-3, std::ref(snapshots)),
-                        sph::every(0.5e-3, [&](const Scene& s) {
-                            table.row({s.time(), drunk(), -probe.mean_vector(s[sponge])[2]});
-                        }));
-        std::printf("%.0f %% of the pores are full of water, at a contact angle of %.0f degrees\n", 100 * drunk(),
+        scene.run_until(end, sph::Progress(end, false), sph::every(1e-3, sph::Snapshots("out-drinking-sponge")));
+        const auto now = scene[drink];
+        double drunk = 0; // of the pores' volume
+        for (int i = 0; i < now.size(); ++i)
+            if (const auto x = now[sph::position].row(i); x[0] > 0 && x[0] < length && x[2] > 0 && x[2] < top)
+                drunk += now[sph::mass](i) / now[sph::density](i) / (5 * std::numbers::pi * radius * radius * top);
+        std::printf("%.0f %% of the pores are full of water, at a contact angle of %.0f degrees\n", 100 * drunk,
                     degrees);
     } catch (const sph::Error& error) {
         std::fprintf(stderr, "drinking_sponge: %s\n", error.what());

@@ -18,6 +18,13 @@ namespace imbibe::presets {
 struct SpongeInTwoLiquids : TwoLiquids {
     /// The solid. What is held of it, does not move (`scene.hold`).
     struct Sponge : Solid<TotalLagrangianSolid<CompressibleNeoHookean, K>, TotalLagrangianViscosity<K>, Clamped> {};
+    /// One with a Young's modulus, Pa, and a Poisson's ratio, and with a support of 2 of its spacings.
+    static Sponge elastic(double young, double poisson, double density, double spacing) {
+        return {{.density = density,
+                 .sound_speed = sound_speed_of(young, poisson, density),
+                 .shear_modulus = shear_modulus_of(young, poisson),
+                 .support_radius = 2 * spacing}};
+    }
     /// Between a liquid and the sponge. @tparam Liquid Water or Oil
     template <class Liquid>
     struct Pores : CouplingOf<Liquid, Sponge, Into<Sponge, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
