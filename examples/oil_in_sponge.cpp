@@ -43,7 +43,6 @@ int main(int, char** argv) {
         for (const auto& x : sph::fill(channel, dx))
             (near_centre(x, radius) ? in_sponge : x[0] < first ? in_water : in_oil).push_back(x);
         const double pores = (last - first) * across - dx * dx * static_cast<double>(in_sponge.size());
-
         Preset::Scene<2, float> scene(
             {.gravity = {force, 0}, .support_radius = 3 * dx, .periodic_length = {length, 0}});
         const Preset::Interface interface { .surface_tension = 0.03, .contact_angle = angle };
