@@ -55,13 +55,13 @@ struct TwoLiquids {
         detail::require_positive(spacing, "TwoLiquids::set_coefficients", "spacing", "m");
         liquid.set(UnderPressureParameters{.background = 1.5 * interface.surface_tension / spacing});
     }
-    /// Those of the couplings, after all was added. @param scene with these liquids, coupling and walls
+    /// Those of the couplings, after all was added.
     static void set_coefficients(auto& scene, const Interface& interface) {
         scene.template coupling<Between>().set(
             InterfaceTensionParameters{.surface_tension = interface.surface_tension});
         set_contact_angle<Sides>(scene, interface);
     }
-    /// Those of the couplings With<Water> and With<Oil> with one wall or solid. @tparam With such as Sides
+    /// Those of the couplings With<Water> and With<Oil> with one wall or solid, such as Sides.
     template <template <class> class With>
     static void set_contact_angle(auto& scene, const Interface& interface) {
         const double angle = interface.contact_angle;
