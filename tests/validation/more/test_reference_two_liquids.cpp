@@ -27,7 +27,7 @@ TEST_CASE("A bubble rises as that of Hysing and others", "[fluid]") {
     CHECK(std::abs(found.circularity / 0.901 - 1) < 0.08); // too flat, at 64 as well
 }
 
-TEST_CASE("Water rises between plates, or falls, to about the same level from above as from below") {
+TEST_CASE("Water rises between plates, or falls, to about the same level from above as from below", "[fluid]") {
     namespace plates = validation::capillary_rise;
     const double exact = plates::exact(60), below = plates::rise(12, 60, 0), above = plates::rise(12, 60, 1.3 * exact);
     CAPTURE(below, above, exact);
@@ -36,13 +36,13 @@ TEST_CASE("Water rises between plates, or falls, to about the same level from ab
     CHECK(std::abs(plates::rise(12, 120, 0) / exact + 1) < 0.12);
 }
 
-TEST_CASE("Water rises in a round tube") {
+TEST_CASE("Water rises in a round tube", "[fluid]") {
     const auto tube = validation::capillary_tube::rise(8, 60);
     CAPTURE(tube.found, tube.exact);
     CHECK(std::abs(tube.found / tube.exact - 1) < 0.15);
 }
 
-TEST_CASE("Two drops that touch become one, which swings and comes to rest round") {
+TEST_CASE("Two drops that touch become one, which swings and comes to rest round", "[fluid]") {
     namespace drops = validation::sessile_drop;
     auto scene = drops::drop({6, 4}, 1.0 / 12, 0.05, drops::pi / 2, [](const drops::Point& x) {
         return std::hypot(std::abs(x[0] - 3) - 0.7, x[1] - 2) < 0.7;
