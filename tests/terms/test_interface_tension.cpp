@@ -28,6 +28,11 @@ using K = WendlandC2;
 struct Water : Fluid<UnderPressure<>, WeaklyCompressible<K>, Instead<DensityFloor>, CapillaryFluid<K>> {};
 struct Oil : Fluid<UnderPressure<>, WeaklyCompressible<K>, Instead<DensityFloor>, CapillaryFluid<K>> {};
 struct Between : CouplingOf<Water, Oil> {};
+struct Vessel : Wall<> {};
+struct Wet : CouplingOf<Water, Vessel> {};
+struct Dry : CouplingOf<Oil, Vessel> {};
+template <class Real>
+using InVessel = Solver<2, Real, SymplecticEuler, Water, Oil, Vessel, Between, Wet, Dry>;
 
 /// Two layers of 16 spacings each way, dx = 1, in a periodic square or cube; the interface is at half the height.
 template <int dim>
@@ -126,10 +131,7 @@ TEST_CASE("A disc under the tension of its interface is under Laplace's pressure
 }
 
 TEST_CASE("The pull at a contact line is sigma cos theta along the surface, and about sigma sin theta into it") {
-    struct Vessel : Wall<> {};
-    struct Wet : CouplingOf<Water, Vessel> {};
-    struct Dry : CouplingOf<Oil, Vessel> {};
-    using Scene = Solver<2, double, SymplecticEuler, Water, Oil, Vessel, Between, Wet, Dry>;
+    using Scene = InVessel<double>;
     // A wall below y = 0; the fluids meet it at x = 0, in a line that leans by 45 degrees or stands.
     for (const double lean : {0.0, 1.0}) {
         Scene scene({.support_radius = 6, .threads = 1});
@@ -167,10 +169,7 @@ TEST_CASE("The pull at a contact line is sigma cos theta along the surface, and 
 }
 
 TEST_CASE("A solid at the rim of the support pulls at no contact line, in float either") {
-    struct Vessel : Wall<> {};
-    struct Wet : CouplingOf<Water, Vessel> {};
-    struct Dry : CouplingOf<Oil, Vessel> {};
-    using Scene = Solver<2, float, SymplecticEuler, Water, Oil, Vessel, Between, Wet, Dry>;
+    using Scene = InVessel<float>;
     Scene scene({.support_radius = 1, .threads = 1});
     scene.add(Water{{.density = 1, .sound_speed = 20}}, std::vector<Point<2>>{{0, 0}}, 0.1);
     scene.add(Oil{{.density = 1, .sound_speed = 20}}, std::vector<Point<2>>{{0.3, 0.4}}, 0.1);

@@ -1,4 +1,4 @@
-// Two liquids that do not mix: finer, a bubble that rises, and water that rises between plates.
+// Two liquids that do not mix: finer; a bubble and water that rise; drops that merge.
 #include <cases/validation/capillary_rise.hpp>
 #include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
