@@ -46,6 +46,12 @@ public:
         return (point.array() >= lower_.array()).all() && (point.array() <= upper_.array()).all();
     }
 
+    /// Distance to the nearest face, m, negative inside.
+    [[nodiscard]] double distance(const Point<dim>& point) const {
+        const Point<dim> beyond = (lower_ - point).cwiseMax(point - upper_);
+        return std::min(beyond.maxCoeff(), 0.0) + beyond.cwiseMax(0.0).norm();
+    }
+
     /// The box itself.
     [[nodiscard]] Box bounds() const { return *this; }
 

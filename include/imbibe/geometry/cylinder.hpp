@@ -31,6 +31,14 @@ public:
     /// pi r^2 L, m^3.
     [[nodiscard]] double volume() const { return std::numbers::pi * radius_ * radius_ * length_; }
 
+    /// Distance to the surface, m, negative inside.
+    [[nodiscard]] double distance(const Point<3>& point) const {
+        const double along = (point - start_).dot(axis_);
+        const double end = std::max(-along, along - length_);
+        const double mantle = (point - start_ - along * axis_).norm() - radius_;
+        return std::min(std::max(end, mantle), 0.0) + std::hypot(std::max(end, 0.0), std::max(mantle, 0.0));
+    }
+
     /// Whether the point is in the cylinder or on its surface.
     [[nodiscard]] bool contains(const Point<3>& point) const {
         const Point<3> offset = point - start_;

@@ -5,10 +5,13 @@
 #include <imbibe/geometry/combine.hpp>
 #include <imbibe/geometry/cylinder.hpp>
 #include <imbibe/geometry/distinct.hpp>
+#include <imbibe/geometry/facets.hpp>
 #include <imbibe/geometry/fill.hpp>
+#include <imbibe/geometry/fitted.hpp>
 #include <imbibe/geometry/foam.hpp>
 #include <imbibe/geometry/half_space.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/geometry/level_set.hpp>
 #include <imbibe/geometry/passage.hpp>
 #include <imbibe/geometry/point.hpp>
 #include <imbibe/geometry/pore_report.hpp>

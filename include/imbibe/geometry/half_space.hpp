@@ -24,6 +24,9 @@ public:
     [[nodiscard]] const Point<dim>& point() const { return point_; }   ///< a point on the plane, m
     [[nodiscard]] const Point<dim>& normal() const { return normal_; } ///< unit normal out of the region
 
+    /// Distance to the plane, m, negative behind it.
+    [[nodiscard]] double distance(const Point<dim>& point) const { return (point - point_).dot(normal_); }
+
     /// Whether the point is behind the plane or on it.
     [[nodiscard]] bool contains(const Point<dim>& point) const { return (point - point_).dot(normal_) <= 0; }
 

@@ -26,6 +26,9 @@ public:
         return dim == 2 ? pi * radius_ * radius_ : 4.0 / 3.0 * pi * radius_ * radius_ * radius_;
     }
 
+    /// Distance to the surface, m, negative inside.
+    [[nodiscard]] double distance(const Point<dim>& point) const { return (point - centre_).norm() - radius_; }
+
     /// Whether the point is in the ball or on its surface.
     [[nodiscard]] bool contains(const Point<dim>& point) const {
         return (point - centre_).squaredNorm() <= radius_ * radius_;

@@ -21,33 +21,43 @@ public:
         : shape_{shape}, turn_{turn}, factor_{factor}, about_{about}, shift_{shift} {}
 
     /// Whether the shape contains the point's place before the transformation.
-    [[nodiscard]] bool contains(const Point<dim>& point) const {
-        return shape_.contains(about_ + turn_.transpose() * (point - about_ - shift_) / factor_);
+    [[nodiscard]] bool contains(const Point<dim>& point) const { return shape_.contains(before(point)); }
+    /// Distance to the surface, m, negative inside; of a shape that has one.
+    [[nodiscard]] double distance(const Point<dim>& point) const requires requires(const S& shape) {
+        shape.distance(Point<dim>{});
     }
+    { return factor_ * shape_.distance(before(point)); }
 
     /// The box round the transformed corners of the shape's box: tight for boxes, not for a turned ball.
     [[nodiscard]] Box<dim> bounds() const {
-        const Box<dim> before = shape_.bounds();
-        if (turn_ == Matrix::Identity() && before.bounded())
-            return Box<dim>{image(before.lower()), image(before.upper())};
-        if (!before.bounded()) // a bound at infinity times a zero of the matrix has no value
+        const Box<dim> box = shape_.bounds();
+        if (turn_ == Matrix::Identity() && box.bounded())
+            return Box<dim>{image(box.lower()), image(box.upper())};
+        if (!box.bounded()) // a bound at infinity times a zero of the matrix has no value
             return Box<dim>::everywhere();
-        Point<dim> lower = image(before.lower());
+        Point<dim> lower = image(box.lower());
         Point<dim> upper = lower;
         for (unsigned corner = 1; corner < (1u << dim); ++corner) {
-            Point<dim> place = before.lower();
+            Point<dim> place = box.lower();
             for (int axis = 0; axis < dim; ++axis)
                 if (corner >> axis & 1u)
-                    place[axis] = before.upper()[axis];
+                    place[axis] = box.upper()[axis];
             lower = lower.cwiseMin(image(place)).eval();
             upper = upper.cwiseMax(image(place)).eval();
         }
         return Box<dim>{lower, upper};
     }
 
-private:
+    [[nodiscard]] const S& shape() const { return shape_; } ///< the shape before the transformation
+    [[nodiscard]] double factor() const { return factor_; } ///< by how much it is enlarged
+    /// Where the transformation takes a point (m) of the shape.
     [[nodiscard]] Point<dim> image(const Point<dim>& point) const {
         return about_ + turn_ * (point - about_) * factor_ + shift_;
+    }
+
+private:
+    [[nodiscard]] Point<dim> before(const Point<dim>& point) const {
+        return about_ + turn_.transpose() * (point - about_ - shift_) / factor_;
     }
 
     S shape_;
@@ -56,6 +66,13 @@ private:
     Point<dim> about_;
     Point<dim> shift_;
 };
+
+namespace detail {
+template <class S>
+inline constexpr bool is_transformed = false;
+template <class S>
+inline constexpr bool is_transformed<Transformed<S>> = true;
+} // namespace detail
 
 /// The shape moved by `shift` (m). Throws Error unless it is finite.
 template <AnyShape S>
