@@ -12,6 +12,8 @@
 #include <imbibe/geometry/half_space.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/geometry/level_set.hpp>
+#include <imbibe/geometry/mesh.hpp>
+#include <imbibe/geometry/mesh_report.hpp>
 #include <imbibe/geometry/passage.hpp>
 #include <imbibe/geometry/point.hpp>
 #include <imbibe/geometry/pore_report.hpp>
@@ -20,5 +22,6 @@
 #include <imbibe/geometry/shape.hpp>
 #include <imbibe/geometry/sphere.hpp>
 #include <imbibe/geometry/tank.hpp>
+#include <imbibe/geometry/thickness.hpp>
 #include <imbibe/geometry/transform.hpp>
 #include <imbibe/geometry/triply_periodic.hpp>

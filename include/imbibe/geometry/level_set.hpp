@@ -56,13 +56,14 @@ public:
         }
         values_.resize(static_cast<std::size_t>(number));
         if constexpr (ShapeWithDistance<S>) {
-            const auto side = [&](const Point<dim>& x) { return shape.contains(x); };
-            measure(side, [&](const Point<dim>& x, double) { return std::abs(shape.distance(x)); });
+            measure([&](const Point<dim>& x, double) { return shape.distance(x); });
         } else {
             const std::vector<char> inside = sides_of(shape);
             const FacetTree<dim> surface(facets_of(shape, inside));
-            const auto side = [&](const Point<dim>& x) { return inside[index_near(x)] != 0; };
-            measure(side, [&](const Point<dim>& x, double within) { return surface.distance(x, within); });
+            measure([&](const Point<dim>& x, double within) {
+                const double away = surface.distance(x, within);
+                return inside[index_near(x)] != 0 ? -away : away;
+            });
         }
         volume_ = volume_of(shape);
     }
@@ -78,8 +79,11 @@ public:
     [[nodiscard]] double band() const { return band_; }     ///< how far distances are followed, m
     [[nodiscard]] double volume() const { return volume_; } ///< of the shape, m^dim: its own volume() or counted
 
+    using Index = std::array<int, static_cast<std::size_t>(dim)>;              ///< of a node along each axis, from 0
+    [[nodiscard]] const Index& nodes() const { return nodes_; }                ///< how many there are along each axis
+    [[nodiscard]] const std::vector<float>& values() const { return values_; } ///< at the nodes, m; x runs fastest
+
 private:
-    using Index = std::array<int, static_cast<std::size_t>(dim)>;
     static constexpr std::size_t slot(int axis) { return static_cast<std::size_t>(axis); }
     static constexpr int corners = 1 << dim;
     static constexpr int block = 4; // nodes each way that are settled together if they are far from the surface
@@ -131,27 +135,25 @@ private:
         });
     }
 
-    template <class Side, class Distance>
-    void measure(const Side& inside, const Distance& distance) {
+    /// The values at the nodes. `distance(x, within)` is the signed distance, or `within` with the sign of it.
+    template <class Distance>
+    void measure(const Distance& distance) {
         Index blocks;
         for (int axis = 0; axis < dim; ++axis)
             blocks[slot(axis)] = (nodes_[slot(axis)] + block - 1) / block;
-        const double half = 0.5 * (block - 1) * cell_, radius = half * std::sqrt(double(dim));
+        const int half = block / 2; // a node near the middle of a block, and the way from there to its corners
+        const double radius = half * cell_ * std::sqrt(double(dim));
         for_slices(blocks, [&](const Index& of, int) {
-            Index first, last;
+            Index first, last, middle;
             for (int axis = 0; axis < dim; ++axis) {
                 first[slot(axis)] = block * of[slot(axis)];
+                middle[slot(axis)] = std::min(first[slot(axis)] + half, nodes_[slot(axis)] - 1);
                 last[slot(axis)] = std::min(first[slot(axis)] + block, nodes_[slot(axis)]);
             }
-            const Point<dim> middle = place(first) + Point<dim>::Constant(half);
-            const bool far = distance(middle, band_ + radius) >= band_ + radius;
-            const auto at_band = static_cast<float>(far && inside(place(first)) ? -band_ : band_);
+            const double about = distance(place(middle), band_ + radius);
             for_all(first, last, [&](const Index& node) {
-                if (far)
-                    return void(values_[flat(node)] = at_band);
-                const Point<dim> x = place(node);
-                const double away = std::min(distance(x, band_), band_);
-                values_[flat(node)] = static_cast<float>(inside(x) ? -away : away);
+                const double at = std::abs(about) >= band_ + radius ? about : distance(place(node), band_);
+                values_[flat(node)] = static_cast<float>(std::clamp(at, -band_, band_));
             });
         });
     }
@@ -268,7 +270,12 @@ private:
                     Point<dim> x = place(cell);
                     for (int axis = 0; axis < dim; ++axis)
                         x[axis] += (part[slot(axis)] + 0.5) / parts * cell_;
-                    sum += shape.contains(x) ? 1 : 0;
+                    bool inside = false;
+                    if constexpr (ShapeWithDistance<S>)
+                        inside = (*this)(x) < 0; // less work than contains() of a mesh
+                    else
+                        inside = shape.contains(x);
+                    sum += inside ? 1 : 0;
                 });
             });
             std::int64_t sum = 0;

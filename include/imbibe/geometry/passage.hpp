@@ -1,6 +1,7 @@
 // How wide a sponge really is open: the largest ball that finds a way through it.
 #pragma once
 
+#include <imbibe/geometry/distance_transform.hpp>
 #include <imbibe/geometry/shape.hpp>
 
 #include <algorithm>
@@ -11,43 +12,6 @@
 #include <vector>
 
 namespace imbibe {
-
-namespace detail {
-
-/// Replaces f[i] by min_j (f[j] + (i - j)^2 step^2) along one line: the lower envelope of parabolas, one pass each way
-/// (Felzenszwalb and Huttenlocher 2012). Applied along every axis in turn it gives squared distances.
-inline void spread_distance(std::vector<double>& line, double step, std::vector<double>& values,
-                            std::vector<double>& starts, std::vector<std::size_t>& roots) {
-    const std::size_t n = line.size();
-    values.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-        values[i] = line[i] / (step * step);
-    starts.assign(n + 1, 0.0);
-    roots.assign(n, 0);
-    const auto meet = [&](std::size_t p, std::size_t q) { // where the parabola of q gets below that of p < q
-        const double a = static_cast<double>(p);
-        const double b = static_cast<double>(q);
-        return ((values[q] - values[p]) / (b - a) + a + b) / 2;
-    };
-    std::size_t top = 0;
-    starts[0] = -1e30;
-    for (std::size_t q = 1; q < n; ++q) {
-        double start = meet(roots[top], q);
-        while (start <= starts[top])
-            start = meet(roots[--top], q);
-        roots[++top] = q;
-        starts[top] = start;
-    }
-    std::size_t piece = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        while (piece < top && starts[piece + 1] < static_cast<double>(i))
-            ++piece;
-        const double offset = static_cast<double>(i) - static_cast<double>(roots[piece]);
-        line[i] = (values[roots[piece]] + offset * offset) * (step * step);
-    }
-}
-
-} // namespace detail
 
 /// The diameter (m) of the largest ball that can travel through the gaps of a solid shape, from the low to the high
 /// face of its bounds along `axis`, without touching the solid; 0 if no gap leads through. What lies outside the
@@ -95,20 +59,7 @@ template <AnyShape S>
         }
         distance[id] = solid.contains(centre) ? 0.0 : no_solid;
     }
-    std::vector<double> line, values, starts;
-    std::vector<std::size_t> roots;
-    for (std::size_t k = 0; k < dim; ++k) {
-        line.resize(cells[k]);
-        for (std::size_t id = 0; id < count; ++id) {
-            if (index_along(id, k) != 0)
-                continue;
-            for (std::size_t i = 0; i < cells[k]; ++i)
-                line[i] = distance[id + i * stride[k]];
-            detail::spread_distance(line, step[k], values, starts, roots);
-            for (std::size_t i = 0; i < cells[k]; ++i)
-                distance[id + i * stride[k]] = line[i];
-        }
-    }
+    detail::spread_distances<dim>(distance, cells, step);
 
     // Join open cells in the order of their distance, widest first, until one group touches both faces.
     std::vector<std::uint32_t> order;

@@ -25,6 +25,11 @@ template <int dim>
 
 namespace detail {
 
+/// a x b. (Eigen's own is in a header that brings its decompositions with it.)
+inline Point<3> cross(const Point<3>& a, const Point<3>& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// Throws Error unless every coordinate of `point` is a finite number.
 template <int dim>
 void require_finite(const char* who, const char* what, const Point<dim>& point) {
