@@ -26,6 +26,7 @@ template <int dim>
 Body<dim> lattice(int n, double jitter) {
     auto body = block<dim>(rubber(), n, jitter, 1);
     gather(ReferenceCorrection<>::Moments{}, moment_matrix, body, body);
+    prepare(ReferenceCorrection<>::Share{}, stress_share, body);
     prepare(ReferenceCorrection<>::Invert{}, gradient_correction, body);
     return body;
 }

@@ -34,14 +34,16 @@ void check_sides() {
 
     CHECK(sides<Displacement, dim, Sponge>() == "position reference_position |");
     CHECK(sides<ReferenceCorrection<>::Moments, dim, Sponge>() == "| mass");
-    CHECK(sides<ReferenceCorrection<>::Invert, dim, Sponge>() == "moment_matrix |");
+    CHECK(sides<ReferenceCorrection<>::Share, dim, Sponge>() == "moment_matrix |");
+    CHECK(sides<ReferenceCorrection<>::Invert, dim, Sponge>() == "moment_matrix stress_share |");
     CHECK(sides<DeformationGradient<>::Sum, dim, Sponge>() == "displacement | mass displacement");
     CHECK(sides<DeformationGradient<>::Correct, dim, Sponge>() == "raw_displacement_gradient gradient_correction |");
     CHECK(sides<StVenantKirchhoff, dim, Sponge>() == "deformation_gradient |");
     CHECK(sides<CompressibleNeoHookean, dim, Sponge>() == "deformation_gradient |");
     CHECK(sides<IsochoricNeoHookean, dim, Sponge>() == "deformation_gradient |");
     CHECK(sides<CauchyStress, dim, Sponge>() == "deformation_gradient first_piola_stress |");
-    CHECK(sides<TotalLagrangianForce<>::Prepare, dim, Sponge>() == "first_piola_stress gradient_correction |");
+    CHECK(sides<TotalLagrangianForce<>::Prepare, dim, Sponge>() ==
+          "first_piola_stress gradient_correction stress_share |");
     CHECK(sides<TotalLagrangianForce<>::Push, dim, Sponge>() == "corrected_piola_stress | mass corrected_piola_stress");
     CHECK(sides<HourglassControl<>::Push, dim, Sponge>() ==
           "displacement deformation_gradient | mass displacement deformation_gradient");

@@ -8,13 +8,14 @@
 
 namespace imbibe {
 
-/// J^(-2/3), without unit.
+/// s J^(-2/3), without unit, with the stress share s of ReferenceCorrection.
 struct ShearScale : Field<Rank::scalar> {
     static constexpr std::string_view name = "shear_scale", unit = "1";
 };
 inline constexpr ShearScale shear_scale{};
 
-/// The isotropic part of the Kirchhoff stress times F^-T, Pa: what a particle adds to the force of PairwiseShearForce.
+/// s times the isotropic part of the Kirchhoff stress times F^-T, Pa: what a particle adds to the force of
+/// PairwiseShearForce.
 struct IsotropicPiolaStress : Field<Rank::tensor> {
     static constexpr std::string_view name = "isotropic_piola_stress", unit = "Pa";
 };
@@ -32,7 +33,8 @@ struct PairwiseShearForceParameters {
 };
 
 /// dv_a/dt = sum_b m_b/(rho_0a rho_0b) [(T_a + T_b) grad_a W_ab + factor G (J_a^(-2/3) + J_b^(-2/3)) F_ab x_ab], in
-/// m/s^2, with the kernel gradient grad_a W_ab = F_ab X_ab of the stress-free solid, the present offset x_ab, and
+/// m/s^2, both parts times the stress share s of each, with the kernel gradient grad_a W_ab = F_ab X_ab of the
+/// stress-free solid, the present offset x_ab, and
 ///
 ///     T = [K/2 (J^2 - 1) - factor G J^(-2/3) I_1/3] F^-T,   J = det F, I_1 = tr F^T F (plus 1 in 2D: plane strain).
 ///
@@ -65,7 +67,7 @@ struct PairwiseShearForce {
     using Parameters = PairwiseShearForceParameters;
 
     struct Prepare {
-        using reads = Fields<deformation_gradient>;
+        using reads = Fields<deformation_gradient, stress_share>;
         using sets = Fields<shear_scale, isotropic_piola_stress>;
         Parameters parameters{};
 
@@ -78,7 +80,8 @@ struct PairwiseShearForce {
             const T I1 = trace(transpose(F) * F) + T(3 - A::dimension); // the third stretch of plane strain is one
             const T shear = T(parameters.factor * a.material.shear_modulus) * scale;
             const T isotropic = T(0.5 * a.material.bulk_modulus()) * (sq(J) - 1) - shear * I1 / 3;
-            return values(scale, (isotropic / J) * transpose(adjugate(F)));
+            const T share = a[stress_share];
+            return values(share * scale, (share * isotropic / J) * transpose(adjugate(F)));
         }
     };
     struct Push {

@@ -10,13 +10,32 @@
 
 namespace imbibe {
 
-/// S_a = sum_b V_b |L_a grad_a W_ab|, 1/m: how much a gradient at particle a can be, for displacements of 1 m.
+/// S_a = sqrt(s_a) sum_b V_b |L_a grad_a W_ab|, 1/m, with the stress share s_a: how much a gradient at particle a can
+/// be, for displacements of 1 m.
 struct GradientSum : Field<Rank::scalar> {
     static constexpr std::string_view name = "gradient_sum", unit = "1/m";
 };
 inline constexpr GradientSum gradient_sum{};
 
+/// The part of its stress that a particle carries, from 0 to 1: 1 where its neighbours tell the deformation in all
+/// directions.
+struct StressShare : Field<Rank::scalar> {
+    static constexpr std::string_view name = "stress_share", unit = "1";
+};
+inline constexpr StressShare stress_share{};
+
 namespace detail {
+
+/// M^-1 where `share` is above 0, and (M^2 + least^2)^-1 M where it is 0.
+template <class T, int dim>
+IMBIBE_INLINE constexpr SymmetricTensor<T, dim> inverse_in_some_directions(const SymmetricTensor<T, dim>& moments,
+                                                                           const T& share, double least) {
+    const auto M = full(moments);
+    const T exactly = min(T(1e30) * share, T(1)); // 0 or 1
+    const auto exact = inverse(M + (1 - exactly) * identity<T, dim>());
+    const auto partial = inverse(M * M + T(sq(max(least, 1e-6))) * identity<T, dim>()) * M;
+    return symmetric_part(exactly * exact + (1 - exactly) * partial);
+}
 
 // The moment sum_b V_b x^2 |grad W|/r in one direction, inside a lattice of `support` spacings a support radius: near 1
 // with 2 spacings and more, 0.66 with 1.5.
@@ -29,12 +48,12 @@ double lattice_moment(double support) {
 
 /// Coefficients of ReferenceCorrection.
 struct ReferenceCorrectionParameters {
-    /// The correction is full where 1/|M_a^-1|, nearly the least moment in any direction, is at least this. It is 0.58
-    /// inside, 0.2 at the corner of a cube (0.13 with a support of 3 spacings), 0.08 and more in a block of two by two
-    /// by two particles, 0 for a sheet or a thread of single particles, and for a rough one between 0 and the square
-    /// of its roughness in spacings.
+    /// A particle carries all of its stress where 1/|M_a^-1|, nearly the least moment in any direction, is at least
+    /// this. It is 0.58 inside, 0.2 at the corner of a cube (0.13 with a support of 3 spacings), 0.08 and more in a
+    /// block of two by two by two particles, 0 for a sheet or a thread of single particles, and for a rough one between
+    /// 0 and the square of its roughness in spacings.
     double full_above = 0.08;
-    /// No correction where it is below this; a straight ramp between the two. Without it rough sheets of single
+    /// It carries none where that is below this, and a part between the two. Without it rough sheets of single
     /// particles have corrections of several hundred, and the step that they bear is as much shorter.
     double none_below = 0.04;
 
@@ -50,9 +69,11 @@ struct ReferenceCorrectionParameters {
 /// V = m/rho_0; once, when the particles are added. Gradients of linear fields are then exact at every particle that
 /// has neighbours in all directions.
 ///
-/// Where it has not (a sheet, a thread, a single particle) M cannot be inverted, and L goes over to the identity: the
-/// solid is then stress-free when undeformed, but too soft, and not free of stress under a rotation. Not for such parts
-/// therefore: they should be at least two particles thick.
+/// Where it has not (a sheet, a thread, a single particle) M cannot be inverted. Such a particle carries no stress, and
+/// between the two kinds a part of it, the stress share s_a: the elastic energy is sum_a s_a V_a psi(F_a), which no
+/// rotation changes, so angular momentum is kept. L is then (M^2 + e^2)^-1 M with e = none_below, exact in the
+/// directions in which neighbours are. Nothing but HourglassControl holds such parts together: they should be at least
+/// two particles thick.
 ///
 /// Source: Bonet and Lok (1999); Vignjevic, Reveles and Campbell (2006).
 template <class Kernel = WendlandC2>
@@ -71,28 +92,40 @@ struct ReferenceCorrection {
             return weight * symmetric_part(outer(ab.offset, ab.offset));
         }
     };
-    struct Invert {
+    struct Share {
         static constexpr bool once = true;
         using reads = Fields<moment_matrix>;
+        using sets = Fields<stress_share>;
+        Parameters parameters{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+            return detail::gated_inverse(a[moment_matrix], parameters.full_above, parameters.none_below).trust;
+        }
+    };
+    struct Invert {
+        static constexpr bool once = true;
+        using reads = Fields<moment_matrix, stress_share>;
         using sets = Fields<gradient_correction>;
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            return detail::inverse_or_identity(a[moment_matrix], parameters.full_above, parameters.none_below);
+            using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+            return detail::inverse_in_some_directions(a[moment_matrix], T(a[stress_share]), parameters.none_below);
         }
     };
     struct Sum {
         using neighbourhood = Reference;
         static constexpr bool once = true;
-        using reads = Fields<mass, gradient_correction>;
+        using reads = Fields<mass, gradient_correction, stress_share>;
         using adds = Fields<gradient_sum>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             const auto corrected = full(a[gradient_correction]) * ab.offset;
-            return -(b[mass] / b.material.density * ab.gradient(Kernel{})) * sqrt(squared_norm(corrected));
+            return -(b[mass] / b.material.density * ab.gradient(Kernel{})) *
+                   sqrt(a[stress_share] * squared_norm(corrected));
         }
     };
-    using parts = Parts<Moments, Invert, Sum>;
+    using parts = Parts<Moments, Share, Invert, Sum>;
 
     static constexpr const char* limit_name = "corrected gradients";
     struct GreatestSum {

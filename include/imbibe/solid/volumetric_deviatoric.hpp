@@ -74,6 +74,10 @@ inline constexpr AveragedMeanStress averaged_mean_stress{};
 template <class Average = Poly6>
 struct VolumetricDeviatoric {
     static constexpr bool of_solids = true;
+    static IMBIBE_INLINE constexpr auto volume_ratio_of(const auto& a) {
+        using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+        return max(determinant(a[deformation_gradient]), T(1e-3));
+    }
     struct Weigh {
         using neighbourhood = Reference;
         static constexpr bool once = true;
@@ -85,12 +89,12 @@ struct VolumetricDeviatoric {
         }
     };
     struct Volume {
-        using reads = Fields<deformation_gradient>;
+        using reads = Fields<deformation_gradient, stress_share>;
         using sets = Fields<volume_ratio>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
-            return max(determinant(a[deformation_gradient]), T(1e-3));
+            const auto s = a[stress_share];
+            return s * volume_ratio_of(a) + (1 - s);
         }
     };
     struct Sum {
@@ -121,12 +125,12 @@ struct VolumetricDeviatoric {
         }
     };
     struct Stress {
-        using reads = Fields<deformation_gradient, volume_ratio, averaged_mean_stress>;
+        using reads = Fields<deformation_gradient, averaged_mean_stress>;
         using sets = Fields<first_piola_stress>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
-            return detail::isochoric_stress(a[deformation_gradient], T(a[volume_ratio]), T(a.material.shear_modulus),
+            return detail::isochoric_stress(a[deformation_gradient], volume_ratio_of(a), T(a.material.shear_modulus),
                                             T(a[averaged_mean_stress]));
         }
     };
