@@ -8,9 +8,11 @@
 #include <imbibe/geometry/combine.hpp>
 #include <imbibe/geometry/cylinder.hpp>
 #include <imbibe/geometry/fill.hpp>
+#include <imbibe/geometry/fitted.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/geometry/sphere.hpp>
 #include <imbibe/geometry/tank.hpp>
+#include <imbibe/geometry/transform.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/output/checkpoint.hpp>
@@ -27,6 +29,7 @@
 #include <catch_shim.hpp>
 
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -242,7 +245,7 @@ TEST_CASE("Coupled phases on lattices that differ are said", "[set-up]") {
     CHECK_THAT(warnings(sph::fill(cell & disc, dx)), imbibe_test::contains("Water and Tank touch") &&
                                                          imbibe_test::contains("differ by (0.5, 0.5) spacings") &&
                                                          imbibe_test::contains("fill(shape, spacing, anchor)"));
-    CHECK(warnings(sph::fill(cell & disc, dx, cell.lower())).empty());
+    CHECK_THAT(warnings(sph::fill(cell & disc, dx, cell.lower())), !imbibe_test::contains("lattices"));
     // Phases that do not touch lie as they like.
     Loose scene(settings());
     scene.add(water, box(0, 0, 0.2, 0.2), dx);
@@ -285,11 +288,49 @@ TEST_CASE("Solids and walls of too few layers are said", "[set-up]") {
     CHECK(plate(2, dx, 2.6, true).empty());
     // Thick bodies with tips and edges.
     Loose scene(settings());
-    scene.add(jelly, sph::fill(sph::Sphere<2>({0, 0}, 0.1), dx), dx);
+    scene.add(jelly, sph::fitted(sph::Sphere<2>({0, 0}, 0.1), dx), dx);
     scene.add(tank, sph::tank(sph::Box<2>({-0.2, -0.2}, {0.2, 0.2}), dx, 3), dx);
     scene.add(water, sph::fill(sph::Box<2>({-0.2, -0.2}, {0.2, -0.12}), dx), dx);
     scene.prepare();
     CHECK(said(scene).empty());
+}
+
+TEST_CASE("A surface that runs in steps across the lattice is said", "[set-up]") {
+    const sph::Box<2> beam({0, 0}, {40 * dx, 6 * dx});
+    const auto solid = [](const std::vector<sph::Point<2>>& points) {
+        Loose scene(settings());
+        scene.add(jelly, points, dx);
+        scene.prepare();
+        return said(scene);
+    };
+    CHECK(solid(sph::fill(beam, dx)).empty());
+    for (const double degrees : {3.0, 10.0, 30.0}) {
+        const auto turned = sph::rotated(beam, degrees * std::numbers::pi / 180);
+        CAPTURE(degrees);
+        CHECK_THAT(solid(sph::fill(turned, dx)), imbibe_test::contains("Jelly: its surface runs in steps") &&
+                                                     imbibe_test::contains("fitted(shape, spacing)"));
+        CHECK(solid(sph::fitted(turned, dx)).empty());
+    }
+    const sph::Sphere<2> disc({0, 0}, 10 * dx);
+    CHECK_THAT(solid(sph::fill(disc, dx)), imbibe_test::contains("in steps"));
+    CHECK(solid(sph::fitted(disc, dx)).empty());
+
+    // Of a wall, where a fluid is.
+    const auto slide = [&](const std::vector<sph::Point<2>>& wall, double water_at) {
+        Loose scene(settings());
+        scene.add(tank, wall, dx);
+        auto points = sph::fill(sph::Box<2>({0.05, water_at}, {0.35, water_at + 0.05}), dx);
+        for (auto& x : points) // turned with the wall
+            x = sph::rotated(beam, -0.2).image(x);
+        scene.add(water, points, dx);
+        scene.prepare();
+        return said(scene);
+    };
+    const sph::Box<2> floor({0, -4 * dx}, {40 * dx, 0});
+    CHECK_THAT(slide(sph::fill(sph::rotated(floor, -0.2), dx), 0),
+               imbibe_test::contains("Tank: its surface runs in steps") && imbibe_test::contains("walls_of"));
+    CHECK(slide(sph::fill(sph::rotated(floor, -0.2), dx), 0.2).empty());
+    CHECK(slide(sph::fitted(sph::rotated(floor, -0.2), dx), 0).empty());
 }
 
 TEST_CASE("A spacing too wide for the reach of a coupling is said", "[set-up]") {

@@ -27,7 +27,8 @@ IMBIBE_CODE std::string warning_of_crowding(const Outline& phase, long long firs
     const auto count_crowded = [&] {
         for_surroundings(phase.now, added, reach, scene, [&](int i, const auto& nearby) {
             double sum = WendlandC2::value(0.0);
-            nearby([&](const Coordinates&, double distance) { sum += WendlandC2::value(distance / reach); });
+            nearby(
+                [&](std::size_t, const Coordinates&, double distance) { sum += WendlandC2::value(distance / reach); });
             filled[static_cast<std::size_t>(i)] = share * sum;
         });
         return std::count_if(filled.begin(), filled.end(), [](double sum) { return sum > 1.3; });
@@ -73,7 +74,7 @@ IMBIBE_CODE std::vector<char> thin_among(const std::vector<char>& chosen, const 
         Coordinates sum{};
         std::array<Coordinates, 3> squares{};
         double n = 1;
-        nearby([&](const Coordinates& offset, double) {
+        nearby([&](std::size_t, const Coordinates& offset, double) {
             for (std::size_t row = 0; row < 3; ++row) {
                 sum[row] += offset[row];
                 for (std::size_t k = 0; k < 3; ++k)
@@ -107,6 +108,106 @@ IMBIBE_CODE std::string warning_of_one_layer(const Outline& solid, const Outline
         "artificial stress resists its bending, which is many times too stiff or none at all. Give it at least 2 "
         "layers, with ",
         "bending_modulus(), better 4: a spacing of ", solid.spacing / 4, " m for what is ", solid.spacing, " m thick");
+}
+
+IMBIBE_CODE SurfaceSteps surface_steps(const Outline& phase, const Outline* fluid, const OutlineOfScene& scene) {
+    using Place = Vector<double, 3>;
+    const auto number = static_cast<std::size_t>(phase.size());
+    const double spacing = phase.spacing;
+    // The slope of a kernel over r, without its factor, and offsets in spacings.
+    const auto slope = [](double distance, double reach) { return WendlandC2::derivative_over_q(distance / reach); };
+    const auto place_of = [&](const Coordinates& offset) {
+        return (1 / spacing) * Place{offset[0], offset[1], offset[2]};
+    };
+    std::vector<char> chosen(number, 1);
+    if (fluid != nullptr) {
+        std::vector<Coordinates> water;
+        for (int i = 0; i < fluid->size(); ++i)
+            water.push_back(fluid->now.at(i));
+        const PlacesByCell cells(water, 2 * spacing, scene);
+        PlacesByCell::Lookup lookup(cells);
+        for (std::size_t i = 0; i < number; ++i) {
+            chosen[i] = 0;
+            lookup.for_each_near(phase.at_rest.at(static_cast<int>(i)),
+                                 [&](int, const Coordinates&, double) { chosen[i] = 1; });
+        }
+    }
+
+    // The normals: away from the particles on one side, over 3 spacings. At a flat face the sum is `flat` long.
+    double flat = 0;
+    for (int k = 1; k < 3; ++k)
+        for (int a = -2; a <= 2; ++a)
+            for (int b = scene.dim == 3 ? -2 : 0; b <= (scene.dim == 3 ? 2 : 0); ++b)
+                if (const double r = std::sqrt(k * k + a * a + b * b); r < 3)
+                    flat -= slope(r, 3) * k;
+    std::vector<Place> normal(number, Place::zero());
+    std::vector<char> outer(number, 0);
+    for_surroundings(phase.at_rest, chosen, 3 * spacing, scene, [&](int k, const auto& nearby) {
+        const auto i = static_cast<std::size_t>(k);
+        Place sum = Place::zero();
+        nearby([&](std::size_t, const Coordinates& offset, double distance) {
+            sum -= slope(distance / spacing, 3) * place_of(offset);
+        });
+        outer[i] = norm(sum) > 0.5 * flat;
+        if (outer[i])
+            normal[i] = sum / norm(sum);
+    });
+    std::vector<char> smooth = outer;
+    for_surroundings(phase.at_rest, outer, 2.5 * spacing, scene, [&](int k, const auto& nearby) {
+        const auto i = static_cast<std::size_t>(k);
+        nearby([&](std::size_t j, const Coordinates&, double) {
+            smooth[i] = smooth[i] && (!outer[j] || dot(normal[i], normal[j]) > 0.866); // the cosine of 30 degrees
+        });
+    });
+    SurfaceSteps steps;
+    steps.of = std::count(outer.begin(), outer.end(), char(1));
+    steps.looked_at = std::count(smooth.begin(), smooth.end(), char(1));
+    if (steps.looked_at == 0)
+        return steps;
+
+    // L of all, from moments over 2 spacings, and with it t_b where the surface is smooth.
+    std::vector<Tensor<double, 3>> correction(number);
+    const std::vector<char> all(number, 1);
+    const double share = scene.dim == 2 ? WendlandC2::normalisation<2>() / 16 : WendlandC2::normalisation<3>() / 32;
+    for_surroundings(phase.at_rest, all, 2 * spacing, scene, [&](int k, const auto& nearby) {
+        auto moments = Tensor<double, 3>::zero();
+        nearby([&](std::size_t, const Coordinates& offset, double distance) {
+            const Place x = place_of(offset);
+            moments -= share * slope(distance / spacing, 2) * imbibe::outer(x, x);
+        });
+        if (scene.dim == 2)
+            moments(2, 2) = 1;
+        correction[static_cast<std::size_t>(k)] = inverse(moments + 1e-3 * identity<double, 3>());
+    });
+    std::vector<double> along(number, 0);
+    for_surroundings(phase.at_rest, smooth, 2 * spacing, scene, [&](int k, const auto& nearby) {
+        const auto i = static_cast<std::size_t>(k);
+        Place t = Place::zero();
+        nearby([&](std::size_t j, const Coordinates& offset, double distance) {
+            t -= share * slope(distance / spacing, 2) * ((correction[i] + correction[j]) * place_of(offset));
+        });
+        along[i] = std::min(squared_norm(t - dot(t, normal[i]) * normal[i]), 4.0);
+    });
+    double sum = 0;
+    for (const double part : along)
+        sum += part;
+    steps.unevenness = std::sqrt(sum / static_cast<double>(steps.looked_at));
+    const auto worst = std::max_element(along.begin(), along.end());
+    steps.place = phase.at_rest.at(static_cast<int>(worst - along.begin()));
+    return steps;
+}
+
+IMBIBE_CODE std::string warning_of_steps(const Outline& phase, const Outline* fluid, const OutlineOfScene& scene) {
+    const SurfaceSteps steps = surface_steps(phase, fluid, scene);
+    if (steps.looked_at < 10 || 5 * steps.looked_at < steps.of || steps.unevenness < 0.12)
+        return {};
+    return text(phase.name, ": its surface runs in steps across the lattice of its particles, such as at ",
+                scene.text_of(steps.place), " (unevenness ", steps.unevenness, "; 0.12 is allowed). ",
+                fluid == nullptr
+                    ? "A solid bends up to twice too far for that, however fine"
+                    : text("It brakes what slips along it, by up to a half, however fine. ", fluid->name, " is there"),
+                ". Place its particles with fitted(shape, spacing)",
+                fluid == nullptr ? "" : " or walls_of(shape, spacing, layers)", " instead of fill(shape, spacing)");
 }
 
 IMBIBE_CODE std::string warning_of_thin_wall(const Outline& wall, const Outline& fluid, double reach,

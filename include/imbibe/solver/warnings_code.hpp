@@ -165,6 +165,8 @@ void note_doubts_of_scene(Warnings& warnings, const Neighbourhood<dim, Real>& sc
         const bool flows_a = a.kind == Kind::fluid, flows_b = b.kind == Kind::fluid;
         if (flows_a != flows_b && !row.asks_for_nearest) // a repulsion holds by itself
             warnings.note(warning_of_thin_wall(flows_a ? b : a, flows_a ? a : b, reach, outline));
+        if ((flows_a && b.kind == Kind::wall) || (flows_b && a.kind == Kind::wall))
+            warnings.note(warning_of_steps(flows_a ? b : a, flows_a ? &a : &b, outline));
     }
     for (std::size_t k = 0; k < scene.phases.size(); ++k) {
         const int phase = static_cast<int>(k);
@@ -173,8 +175,10 @@ void note_doubts_of_scene(Warnings& warnings, const Neighbourhood<dim, Real>& sc
             warnings.note(text(a.name, " has no particles; was scene.add forgotten?"));
         warnings.note(warning_of_soft_fluid(scene, phase, outline));
         warnings.note(warning_of_no_shifting(scene, phase));
-        if (a.kind == Kind::solid)
+        if (a.kind == Kind::solid) {
             warnings.note(warning_of_one_layer(a, outline));
+            warnings.note(warning_of_steps(a, nullptr, outline));
+        }
     }
     for (const Link& link : scene.links)
         if (link.row.a == link.row.b)
