@@ -10,6 +10,8 @@
 #include <imbibe/geometry/fitted.hpp>
 #include <imbibe/geometry/foam.hpp>
 #include <imbibe/geometry/half_space.hpp>
+#include <imbibe/geometry/image.hpp>
+#include <imbibe/geometry/image_report.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/geometry/level_set.hpp>
 #include <imbibe/geometry/mesh.hpp>
