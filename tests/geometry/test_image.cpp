@@ -133,7 +133,7 @@ TEST_CASE("Image: the widths of slots are found, and so is what is too narrow fo
     CHECK(report.porosity == Approx(16.0 / 28));
     CHECK(says(report, "of the pore space are narrower"));
     CHECK(says(image_report(slots, 0.5e-4), "finer than what was seen"));
-    CHECK(says(image_report(slots, 6e-4), "too few"));
+    CHECK(says(image_report(slots, 3e-4), "too few"));
 }
 
 TEST_CASE("Image: a porosity that hangs on the threshold is said") {
