@@ -23,6 +23,7 @@ double energy_in(const Eigen::Matrix<double, dim, dim>& e, const Energy& energy)
     const auto points = sph::fill(sph::Box<dim>(sph::Point<dim>::Zero(), sph::Point<dim>::Constant(0.4)), dx);
     BlockScene<dim, Law> scene({.support_radius = 2 * dx});
     const auto block = scene.add(Block<Law>{{.density = rho, .sound_speed = c, .shear_modulus = G}}, points, dx);
+    scene[block][sph::stress_share].setConstant(1);
     auto F = scene[block][sph::deformation_gradient];
     for (int row = 0; row < dim; ++row)
         for (int column = 0; column < dim; ++column)

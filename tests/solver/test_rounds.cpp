@@ -90,9 +90,10 @@ TEST_CASE("The rounds of the sound sponge", "[schedule]") {
     CHECK(Scene::plan.sweeps(Scene::phase_index<Water>) == 2);
     CHECK(Scene::plan.sweeps(Scene::phase_index<Sponge>) == 3);
     CHECK(Scene::plan.sweeps(Scene::phase_index<Vessel>) == 1);
-    // The correction matrix, and how large gradients are with it, is computed once, and not in every step.
-    CHECK(Scene::OnceRows::size == 3);
-    CHECK(Scene::once_plan.size == 3);
+    // The correction matrix, the stress share, and how large gradients are with them, are computed once, and not in
+    // every step.
+    CHECK(Scene::OnceRows::size == 4);
+    CHECK(Scene::once_plan.size == 3); // share and matrix in one loop
     CHECK(place<Scene, ReferenceCorrection<K>::Moments, Sponge>() == -1);
 
     // The water's pressure, then its continuation to sponge and vessel, then the push of both on the water and back.

@@ -103,7 +103,8 @@ using EveryPairPart = TypeList<
 /// Those that are no force and not zero for the particle itself, or have two results.
 using OtherPairParts =
     TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
-             Case<NoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
+             Case<NoSlipVelocity<>::Sum, Sponge, Water, false>,
+             Case<LinearNoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
              Case<ParticleShifting<>::Approach, Water, Water, false>, Case<ContactAngle<>::Sum, Water, Sponge, false>,
              Case<SummationNeighbours<>, Water, Water, false>>;
 

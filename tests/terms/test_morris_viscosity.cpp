@@ -94,6 +94,65 @@ void check_reflection() {
     CHECK(plain(wall.back()[no_slip_weight]) == 0);
 }
 
+/// What a wall along a lattice shows beside a fluid that is sheared: the straight line through the wall's velocity at
+/// the surface.
+template <int dim>
+void check_straight_line() {
+    const Water water = oil();
+    ColumnVector<dim> below = ColumnVector<dim>::Zero();
+    below[1] = -4 * water.spacing;
+    auto fluid = block<dim>(oil(), 7, 0);
+    auto wall = block<dim>(bed(), 7, 0, 1, below);
+    double surface = 1e9;
+    for (const auto& p : fluid)
+        surface = std::min(surface, plain(p[position])[1] - 0.5 * water.spacing);
+    ColumnVector<dim> middle = ColumnVector<dim>::Zero();
+    for (const auto& p : fluid)
+        middle += plain(p[position]) / static_cast<double>(fluid.size());
+    const auto sheared = [&](double height) {
+        ColumnVector<dim> v = ColumnVector<dim>::Constant(0.1); // the wall's own
+        v[0] += 50 * (height - surface);
+        return v;
+    };
+    for (auto& p : fluid)
+        p.set(velocity, vec<dim>(sheared(plain(p[position])[1])));
+    LinearNoSlipVelocity<>::Continue continued;
+    continued.prepared =
+        LinearNoSlipVelocity<>::prepare(bed(), water, Lattice<dim>{water.spacing, water.support_radius});
+    int first = 0, second = 0, alone = 0;
+    for (auto& a : wall) {
+        a.set(velocity, vec<dim>(ColumnVector<dim>::Constant(0.1)));
+        const ColumnVector<dim> x = plain(a[position]);
+        const double depth = (surface - x[1]) / water.spacing;
+        ColumnVector<dim> aside = x - middle;
+        aside[1] = 0;
+        if (depth < 0 || aside.cwiseAbs().maxCoeff() > 0.6 * water.spacing)
+            continue; // above, or near the ends
+        auto total = Vector<Number<double>, dim>::zero(), offset = total;
+        Number<double> weight = 0;
+        for (const auto& b : fluid) {
+            const auto [w, s, o] =
+                LinearNoSlipVelocity<>::Sum{}(a, b, geometry<LinearNoSlipVelocity<>::Sum, dim>(a, b));
+            weight += w, total += s, offset += o;
+        }
+        a.set(no_slip_weight, weight).set(no_slip_sum, total).set(no_slip_offset, offset);
+        const double shown = plain(continued(a))[0] - 0.1, line = sheared(x[1])[0] - 0.1;
+        if (depth < 1) {
+            CHECK(shown == Approx(line).epsilon(1e-9));
+            ++first;
+        } else if (depth < 2) {
+            CHECK(shown == Approx(line).epsilon(1e-9));
+            ++second;
+        } else if (plain(weight) == 0) {
+            CHECK(shown == Approx(0).margin(1e-15));
+            ++alone;
+        }
+    }
+    CHECK(first > 0);
+    CHECK(second > 0);
+    CHECK(alone > 0);
+}
+
 } // namespace
 
 TEST_CASE("MorrisViscosity is eta/rho times the Laplacian, with the sign that slows") {
@@ -124,6 +183,11 @@ TEST_CASE("a wall or a solid shows the viscosity of the fluid it touches, unless
 TEST_CASE("NoSlipVelocity reflects the fluid's velocity about the wall's") {
     check_reflection<2>();
     check_reflection<3>();
+}
+
+TEST_CASE("LinearNoSlipVelocity continues a sheared fluid in a straight line through the wall's velocity") {
+    check_straight_line<2>();
+    check_straight_line<3>();
 }
 
 TEST_CASE("the limit of MorrisViscosity is 0.055 H^2/nu, and infinite without viscosity") {

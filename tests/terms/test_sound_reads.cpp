@@ -29,6 +29,9 @@ void check_sides() {
     CHECK(sides<PressureExtrapolation<>::Divide, dim, Bed>() == "extrapolation_weight extrapolation_sum |");
     CHECK(sides<NoSlipVelocity<>::Sum, dim, Bed, Water>() == "velocity | velocity");
     CHECK(sides<NoSlipVelocity<>::Reflect, dim, Bed>() == "velocity no_slip_weight no_slip_sum |");
+    CHECK(sides<LinearNoSlipVelocity<>::Sum, dim, Bed, Water>() == "velocity | velocity");
+    CHECK(sides<LinearNoSlipVelocity<>::Continue, dim, Bed>() ==
+          "velocity no_slip_weight no_slip_sum no_slip_offset |");
     CHECK(sides<NoSlipViscosity<>, dim, Water, Bed>() == "density velocity | mass density no_slip_velocity");
     CHECK(sides<NoSlipViscosity<>, dim, Sponge, Water>() == "density no_slip_velocity | mass density velocity");
 

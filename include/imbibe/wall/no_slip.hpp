@@ -2,7 +2,9 @@
 // that sees it. Without it in the coupling the wall is free-slip.
 #pragma once
 
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
+#include <imbibe/kernels/wendland.hpp>
 
 namespace imbibe {
 
@@ -17,6 +19,12 @@ struct NoSlipSum : Field<Rank::vector> {
     static constexpr std::string_view name = "no_slip_sum", unit = "1/(m^2 s)";
 };
 inline constexpr NoSlipSum no_slip_sum{};
+
+/// sum_f (x_f - x_a) W_af, 1/m^2 (1/m in 2D).
+struct NoSlipOffset : Field<Rank::vector> {
+    static constexpr std::string_view name = "no_slip_offset", unit = "1/m^2";
+};
+inline constexpr NoSlipOffset no_slip_offset{};
 
 /// The velocity that a wall particle shows to the fluid's viscosity, m/s.
 struct NoSlipVelocityField : Field<Rank::vector> {
@@ -54,6 +62,76 @@ struct NoSlipVelocity {
         }
     };
     using parts = Parts<Sum, Reflect>;
+};
+
+/// v_shown = v_a - (D/d - 1) sum_f (v_f - v_a) W_af / sum_f W_af, in m/s, for a particle a of a wall or a solid: the
+/// fluid's velocity continued in a straight line through the wall's own at the surface. D = |sum_f (x_f - x_a) W_af| /
+/// sum_f W_af is how far the fluid that is seen lies from a, d how far from the surface: what it is on a lattice along
+/// a plane face for the first two layers of the wall (0.50 to 0.58 spacings with supports of 2 to 3), linear in D. v_a
+/// itself where there is no fluid.
+///
+/// In place of NoSlipVelocity, which has 1 for D/d - 1: right for the first layer, a third of it for the second.
+/// Between plates the two are alike. In a pipe of 8, 12, 16 and 24 fitted particles across, Poiseuille flow
+/// is 4.8, 2.5, 0.7 and 0.5 % too fast with this, 11, 6, 3.3 and 2.0 % with NoSlipVelocity
+/// (tests/porous/test_permeability.cpp).
+///
+/// Not where the fluid is a thin film or spray: D is
+/// then how far single particles are.
+///
+/// Source: the straight line: Morris, Fox and Zhu (1997), section 3.5, Eq. (26), with distances to a known surface;
+/// here the distances are kernel averages.
+template <class Kernel = WendlandC2>
+struct LinearNoSlipVelocity {
+    static constexpr bool one_sided = true;
+    /// What follows from the lattice: d = to_surface + slope (D - offset).
+    struct Prepared {
+        double to_surface = 1, offset = 1; ///< of the first layer, m
+        double slope = 0;                  ///< from there to the second
+    };
+    struct Sum { // a: wall or solid, b: fluid
+        using reads = Fields<velocity>;
+        using adds = Fields<no_slip_weight, no_slip_sum, no_slip_offset>;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            const auto weight = ab.value(Kernel{});
+            return values(weight, weight * (b[velocity] - a[velocity]), -weight * ab.offset);
+        }
+    };
+    struct Continue {
+        using reads = Fields<velocity, no_slip_weight, no_slip_sum, no_slip_offset>;
+        using sets = Fields<no_slip_velocity>;
+        Prepared prepared{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+            const auto weight = max(a[no_slip_weight], 1e-30);
+            const auto D = sqrt(squared_norm(a[no_slip_offset])) / weight;
+            const auto d =
+                max(prepared.to_surface + prepared.slope * (D - prepared.offset), 0.25 * prepared.to_surface);
+            return a[velocity] - (positive_part(D / d - 1) / weight) * a[no_slip_sum];
+        }
+    };
+    using parts = Parts<Sum, Continue>;
+
+    /// Of a plane face along the lattice, half a spacing before the first layer of the wall.
+    template <int dim>
+    static Prepared prepare(const auto&, const auto&, const Lattice<dim>& lattice) {
+        const auto mean_offset = [&](double layer) { // of the fluid, from a layer of the wall; 0: it sees none
+            const auto sum = [&](int power_of_offset) {
+                return lattice.sum([&](const auto& ab) {
+                    const double x = ab.offset[0];
+                    return x < (layer + 0.5) * lattice.spacing ? 0.0
+                                                               : ab.value(Kernel{}) * (power_of_offset == 1 ? x : 1.0);
+                });
+            };
+            const double weight = sum(0);
+            return weight > 0 ? sum(1) / weight : 0.0;
+        };
+        const double first = mean_offset(0), second = mean_offset(1), spacing = lattice.spacing;
+        if (!(first > 0))
+            return {0.5 * spacing, spacing, 0};
+        const double slope = second > first ? 1 - spacing / (second - first) : 0;
+        return {first - 0.5 * spacing, first, slope};
+    }
 };
 
 namespace detail {

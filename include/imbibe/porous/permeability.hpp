@@ -1,0 +1,204 @@
+// How easily a liquid flows through the pores of a body: permeability and tortuosity, from slow flow between particles.
+#pragma once
+
+#include <imbibe/fluid/continuity.hpp>
+#include <imbibe/fluid/morris_viscosity.hpp>
+#include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/geometry/combine.hpp>
+#include <imbibe/geometry/fitted.hpp>
+#include <imbibe/kernels/quintic_spline.hpp>
+#include <imbibe/solver/solver.hpp>
+#include <imbibe/state/linear_state.hpp>
+#include <imbibe/time/symplectic_euler.hpp>
+#include <imbibe/wall/no_slip.hpp>
+#include <imbibe/wall/pressure_extrapolation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace imbibe {
+
+/// What permeability() found for one direction.
+struct Permeability {
+    /// k_x, k_y, k_z, m^2: a column of the permeability tensor, for a pressure that falls along one axis.
+    Point<3> column;
+    double error =
+        0; ///< of the component along that axis, m^2: what a finer spacing is expected to change; 0: not known
+    double tortuosity =
+        1;               ///< mean of |u| over the mean of u along the axis: how much longer than straight the ways are
+    double porosity = 0; ///< part of the particles that are liquid, 0 to 1
+    double left = 0;     ///< by how much of itself k may still change in time: what the extrapolation added
+    long long steps = 0; ///< time steps that it took
+};
+
+/// How permeability() computes.
+struct PermeabilityRun {
+    double left = 0.01;       ///< ends when the extrapolation in time adds less than this part of k; 1e-4 to 0.5
+    long long steps = 100000; ///< ends with an Error when it is not there after so many
+    int threads = 0;          ///< 1 to 1024; 0: all of the machine
+    /// Is called at times with the part of k that is still missing, such as to print it.
+    std::function<void(double)> progress{};
+};
+
+namespace porous {
+
+/// The liquid in the pores; the unit of length is the spacing, of density the liquid's, of viscosity its kinematic one.
+struct Liquid : Fluid<LinearState, VolumeContinuity<QuinticSpline>, VolumePressure<QuinticSpline>,
+                      MorrisViscosity<QuinticSpline>> {};
+/// The body, which is rigid.
+struct Grains : Wall<> {};
+/// The liquid sticks to the body.
+struct Contact : Coupling<Liquid, Grains, Into<Grains, PressureExtrapolation<QuinticSpline>>,
+                          VolumePressure<QuinticSpline>, Into<Liquid, VolumeContinuity<QuinticSpline>>,
+                          Into<Grains, LinearNoSlipVelocity<QuinticSpline>>, NoSlipViscosity<QuinticSpline>> {};
+
+} // namespace porous
+
+/// The permeability of a periodic cell that particles of liquid and of a rigid body fill, for a pressure that falls
+/// along `axis`: k_i = mu <u_i>/f, m^2, with the mean velocity u over the whole cell (Darcy) and the driving force f
+/// per volume.
+///
+/// The flow is slow: inertia plays no part, k does not depend on liquid or force, and the particles move by less than a
+/// tenth of a spacing. It starts from rest; its mean comes near its end like exp(-t/T), and from three times the end is
+/// extrapolated (Aitken).
+///
+/// Not for fast flow in wide pores (Forchheimer), and not where pores are narrower than 4 spacings. k comes out too
+/// large, by an error that falls with the square of the spacing: take permeability() of a shape, which corrects that.
+///
+/// Source: creeping flow through grains by SPH with no-slip walls: Holmes, Williams and Tilke (2011).
+/// @tparam Real float or double, of the run
+/// @param pores places of the liquid's particles, m
+/// @param body places of the body's particles, m
+/// @param cell the periodic cell, m
+/// @param spacing of all particles, m
+/// @param axis along which the pressure falls: 0, 1, 2
+/// @param run how long, and on how many threads
+/// @throws Error for numbers out of range, and where the flow is not steady after PermeabilityRun::steps
+template <class Real = float>
+[[nodiscard]] Permeability permeability_of_particles(const std::vector<Point<3>>& pores,
+                                                     const std::vector<Point<3>>& body, const Box<3>& cell,
+                                                     double spacing, int axis, const PermeabilityRun& run = {}) {
+    constexpr const char* who = "permeability";
+    detail::require_positive(who, "spacing", spacing, "Give the distance between particles in metres.");
+    require(axis >= 0 && axis < 3, who, ": axis = ", axis, " must be from 0 to 2.");
+    require(cell.bounded(), who, ": the cell must be bounded. Give two corners.");
+    require(!pores.empty(), who, ": there are no particles of liquid; the body fills its cell at this spacing.");
+    require(!body.empty(), who, ": there are no particles of the body; nothing resists the flow.");
+    require(run.left >= 1e-4 && run.left <= 0.5, who, ": PermeabilityRun::left = ", run.left,
+            " must be from 1e-4 to 0.5.");
+    require(run.steps >= 1, who, ": PermeabilityRun::steps = ", run.steps, " must be at least 1.");
+    for (int k = 0; k < 3; ++k)
+        require(cell.size()[k] >= 3.3 * spacing, who, ": the cell is ", cell.size()[k] / spacing,
+                " spacings long along ", "xyz"[k], "; it must be at least 3.3.");
+
+    // In spacings, so that bodies of micrometres keep their digits in float.
+    const auto scaled = [&](const std::vector<Point<3>>& points) {
+        std::vector<Point<3>> result(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            result[i] = (points[i] - cell.lower()) / spacing;
+        return result;
+    };
+    const Point<3> size = cell.size() / spacing;
+    // Sound is as fast as makes its step as long as that of viscosity. The force is such that the pressure compresses
+    // the liquid by 1e-3: enough for float, and slow enough that particles stay where they are.
+    const double sound = 3, force = 1e-3 * sound * sound / size[axis];
+    Settings<3> settings{
+        .support_radius = 3, .cfl = 0.6, .max_time_step = 1, .search_interval = 20, .threads = run.threads};
+    for (int k = 0; k < 3; ++k) {
+        settings.periodic_length[static_cast<std::size_t>(k)] = size[k];
+        settings.gravity[static_cast<std::size_t>(k)] = k == axis ? force : 0;
+    }
+    Solver<3, Real, SymplecticEuler, porous::Liquid, porous::Grains, porous::Contact> scene(settings);
+    const auto liquid =
+        scene.add(porous::Liquid{{.density = 1, .sound_speed = sound, .viscosity = 1}}, scaled(pores), 1);
+    scene.add(porous::Grains{{.density = 1}}, scaled(body), 1);
+
+    Permeability found{};
+    found.porosity = static_cast<double>(pores.size()) / static_cast<double>(pores.size() + body.size());
+    const auto look = [&] { // at the mean flux over the cell, and its way
+        Point<3> sum = Point<3>::Zero();
+        double speeds = 0;
+        const auto v = scene[liquid][velocity];
+        for (Eigen::Index i = 0; i < v.rows(); ++i) {
+            const Point<3> u = v.row(i).transpose().template cast<double>();
+            sum += u;
+            speeds += u.norm();
+        }
+        found.tortuosity = sum[axis] > 0 ? speeds / sum[axis] : 0;
+        return Point<3>(sum / (size.prod() * force));
+    };
+    std::vector<Point<3>> fluxes;
+    for (double interval = 2, end = interval;; end += interval) {
+        scene.run_until(end);
+        fluxes.push_back(look());
+        const std::size_t n = fluxes.size();
+        // Three times evenly apart, the last, the middle and the first of all.
+        if (n % 2 == 1 && n >= 5) {
+            const double a = fluxes[0][axis], b = fluxes[n / 2][axis], c = fluxes[n - 1][axis];
+            const double ratio = (c - b) / (b - a); // exp(-time/T)
+            const double missing = ratio < 0.95 && ratio > -0.5 ? (c - b) * ratio / (1 - ratio) : c;
+            found.left = std::abs(missing / (c + missing));
+            found.steps = static_cast<long long>(scene.steps());
+            if (run.progress)
+                run.progress(found.left);
+            if (c > 0 && found.left < run.left) {
+                found.column = fluxes.back() * ((c + missing) / c) * spacing * spacing;
+                return found;
+            }
+            require(
+                found.steps < run.steps, who, ": after ", found.steps, " steps the flow is not steady; ",
+                100 * found.left,
+                " % of it are missing. Wide pores take long: allow more PermeabilityRun::steps, or a wider spacing.");
+        }
+        if (n == 65) { // look at it more rarely
+            std::vector<Point<3>> every_second;
+            for (std::size_t i = 1; i < n; i += 2)
+                every_second.push_back(fluxes[i]);
+            fluxes = every_second;
+            interval *= 2;
+        }
+    }
+}
+
+/// The permeability of a shape in its bounds, which are taken as a periodic cell: that of permeability_of_particles(),
+/// of liquid and body packed together, so that both follow the surface, at the spacing and at one about 1.5 times as
+/// wide. The error falls with the square of the spacing, so the two are extrapolated to none (Richardson); what that
+/// adds is Permeability::error.
+///
+/// A shape that does not fit to itself across the sides of its bounds is mirrored first (ImageBody: Beyond::mirrored).
+/// @tparam Real float or double, of the run
+/// @param shape the body: pores are what it leaves of its bounds
+/// @param spacing of the particles, m; each side of the bounds should be a whole number of spacings
+/// @param axis along which the pressure falls: 0, 1, 2
+/// @param run how long, and on how many threads
+/// @throws Error as permeability_of_particles() and fitted() do
+template <class Real = float, AnyShape S>
+requires(shape_dimension<S> == 3) [[nodiscard]] Permeability
+    permeability(const S& shape, double spacing, int axis, const PermeabilityRun& run = {}) {
+    const Box<3> cell = shape.bounds();
+    const auto at = [&](double of) {
+        const auto parts = fitted_together(of, cell.lower(), 0, shape, cell - shape);
+        return permeability_of_particles<Real>(parts[1], parts[0], cell, of, axis, run);
+    };
+    Permeability found = at(spacing);
+    // The spacing nearest to 1.5 times this one that fits into all sides.
+    double wide = 0;
+    const double shortest = cell.size().minCoeff();
+    for (double number = 4; number < 0.9 * shortest / spacing; ++number) {
+        const double trial = shortest / number;
+        const Point<3> cells = cell.size() / trial;
+        if ((cells - cells.array().round().matrix()).cwiseAbs().maxCoeff() < 1e-6 &&
+            std::abs(trial / spacing - 1.5) < std::abs(wide / spacing - 1.5))
+            wide = trial;
+    }
+    if (wide > 1.15 * spacing && wide < 2.5 * spacing) {
+        const Point<3> less = (at(wide).column - found.column) / (sq(wide / spacing) - 1);
+        found.column -= less;
+        found.error = std::abs(less[axis]);
+    }
+    return found;
+}
+
+} // namespace imbibe
