@@ -23,6 +23,7 @@
 #include <cases/validation/oscillating_plate.hpp>
 #include <cases/validation/pipe.hpp>
 #include <cases/validation/plates.hpp>
+#include <cases/validation/porous_spheres.hpp>
 #include <cases/validation/report.hpp>
 #include <cases/validation/rising_bubble.hpp>
 #include <cases/validation/sessile_drop.hpp>
@@ -36,6 +37,7 @@
 #include <cases/validation/taylor_green.hpp>
 #include <cases/validation/turek_hron.hpp>
 #include <cases/validation/turek_hron_flow.hpp>
+#include <cases/validation/turned_beam.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -60,6 +62,7 @@ int main(int argc, char** argv) {
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
+        {"porous-spheres", "particles along the cell", {16, 24}, porous_spheres::measure},
         {"pipe", "particles across the pipe", {12, 24, 48}, pipe::measure},
         {"duct", "particles along a side", {12, 24}, duct::measure},
         {"one-pore", "particles over the radius", {4, 6, 8}, one_pore::measure},
@@ -72,6 +75,7 @@ int main(int argc, char** argv) {
         {"elliptic-drop", "particles over the radius", {12, 25, 50}, elliptic_drop::measure},
         {"spinning-plate", "particles along a side", {10, 20}, spinning_plate::measure},
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
+        {"turned-beam", "particles over the thickness", {6, 12}, turned_beam::measure},
         {"turek-hron", "particles over the thickness", {4, 6, 10, 20}, turek_hron::measure},
         {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure},
         {"dam-break-at-wall", "particles over the depth", {40, 80}, dam_break_at_wall::measure},

@@ -165,12 +165,13 @@ template <class Real = float>
 /// The permeability of a shape in its bounds, which are taken as a periodic cell: that of permeability_of_particles(),
 /// of liquid and body packed together, so that both follow the surface, at the spacing and at one about 1.5 times as
 /// wide. The error falls with the square of the spacing, so the two are extrapolated to none (Richardson); what that
-/// adds is Permeability::error.
+/// adds is Permeability::error. Where that would be more than half of k, pores are hardly resolved, and k is left as it
+/// is at the spacing.
 ///
 /// A shape that does not fit to itself across the sides of its bounds is mirrored first (ImageBody: Beyond::mirrored).
 /// @tparam Real float or double, of the run
 /// @param shape the body: pores are what it leaves of its bounds
-/// @param spacing of the particles, m; each side of the bounds should be a whole number of spacings
+/// @param spacing of the particles, m; each side of the bounds must be a whole number of spacings
 /// @param axis along which the pressure falls: 0, 1, 2
 /// @param run how long, and on how many threads
 /// @throws Error as permeability_of_particles() and fitted() do
@@ -178,6 +179,13 @@ template <class Real = float, AnyShape S>
 requires(shape_dimension<S> == 3) [[nodiscard]] Permeability
     permeability(const S& shape, double spacing, int axis, const PermeabilityRun& run = {}) {
     const Box<3> cell = shape.bounds();
+    detail::require_positive("permeability", "spacing", spacing, "Give the distance between particles in metres.");
+    for (int k = 0; k < 3; ++k) {
+        const double number = cell.size()[k] / spacing;
+        require(std::abs(number - std::round(number)) < 1e-3, "permeability: side ", "xyz"[k], " of the cell is ",
+                number, " spacings of ", spacing, " m long; it must be a whole number of them. Take ",
+                cell.size()[k] / std::round(std::max(number, 1.0)), " m.");
+    }
     const auto at = [&](double of) {
         const auto parts = fitted_together(of, cell.lower(), 0, shape, cell - shape);
         return permeability_of_particles<Real>(parts[1], parts[0], cell, of, axis, run);
@@ -195,8 +203,9 @@ requires(shape_dimension<S> == 3) [[nodiscard]] Permeability
     }
     if (wide > 1.15 * spacing && wide < 2.5 * spacing) {
         const Point<3> less = (at(wide).column - found.column) / (sq(wide / spacing) - 1);
-        found.column -= less;
         found.error = std::abs(less[axis]);
+        if (found.error < 0.5 * std::abs(found.column[axis])) // else the pores are not resolved, and nothing is gained
+            found.column -= less;
     }
     return found;
 }
