@@ -97,6 +97,7 @@ using Riemann =
     Contact<Below, Into<Water, RiemannWallNormal<K>>, RiemannWallPressure<K>, Into<Water, RiemannWallContinuity<K>>>;
 struct FloorExtrapolation : Extrapolation<Floor> {};
 struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
+struct FloorLinearNoSlip : Extrapolation<Floor, Into<Floor, LinearNoSlipVelocity<K>>, NoSlipViscosity<K>> {};
 struct FloorLoaded : Extrapolation<Floor, Into<Floor, ReactionForce<VolumePressure<K>>>> {};
 struct FloorRiemann : Riemann<Floor> {};
 struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};
@@ -281,6 +282,8 @@ Cases all_cases() {
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two", "walls");
     add_contact<FloorNoSlip>(cases, "the same with `NoSlipVelocity` and `NoSlipViscosity`",
                              "walls that a viscous fluid sticks to");
+    add_contact<FloorLinearNoSlip>(cases, "the same as the first with `LinearNoSlipVelocity` and `NoSlipViscosity`",
+                                   "curved walls that a viscous fluid sticks to");
     add_contact<FloorLoaded>(cases, "the same as the first with `ReactionForce`",
                              "the force on a wall, to be looked at");
     add_contact<FloorRiemann>(cases, "`RiemannWallNormal`, `RiemannWallPressure`, `RiemannWallContinuity`",
