@@ -83,6 +83,8 @@ TEST_CASE("Mesh: it combines with other shapes and is filled and fitted as they 
         CHECK((points[i] - lattice[i]).norm() < 1e-5);
     CHECK(fill(Box<3>{Point<3>::Constant(-1), Point<3>::Constant(1)} - mesh, 0.1).size() == 7000);
     CHECK(fitted(scaled(mesh, 1e-3), 1e-4).size() == 1000);
+    CHECK(scaled(mesh, 2).volume() == Approx(8));
+    CHECK(rotated(mesh, 0.3, {0, 0, 1}).distance({0, 0, 10}) == Approx(mesh.distance({0, 0, 10})));
 }
 
 TEST_CASE("Mesh: damage is mended, and no point is on the wrong side") {

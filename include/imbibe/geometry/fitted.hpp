@@ -32,7 +32,10 @@ inline constexpr double fitting_reach = 2.6, fitting_depth = 2.6;
 template <int dim, class Keep>
 void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, double spacing, int steps, int threads,
            const Keep& keep) {
-    const double H = fitting_reach * spacing, skin = 0.4 * spacing;
+    const double H = fitting_reach * spacing, skin = 0.4 * spacing, near = 0.6 * spacing;
+    Point<dim> aside; // of two in one place one goes this way, one the other
+    for (int axis = 0; axis < dim; ++axis)
+        aside[axis] = std::cos(1.0 + axis);
     const double share = std::pow(spacing / H, dim) * WendlandC2::normalisation<dim>();
     const auto number = static_cast<int>(moving.size());
     search::NeighbourSearch<dim, double> search(H + skin, {}, threads);
@@ -61,14 +64,19 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
                     search.for_each(0, i, [&](int j, const auto&, double) { list.push_back(j); });
                     listed_at[m] = x;
                 }
-                Point<dim> push = Point<dim>::Zero();
+                Point<dim> push = Point<dim>::Zero(), apart = push;
                 for (const int j : list) {
                     const Point<dim> offset = x - points[static_cast<std::size_t>(j)];
                     const double q2 = offset.squaredNorm() / (H * H);
                     if (q2 < 1)
                         push -= WendlandC2::derivative_over_q(std::sqrt(q2)) * offset;
+                    // The slope of a kernel vanishes at its middle: a pair that a corner has brought together would
+                    // stay.
+                    if (const double r = H * std::sqrt(q2); r < near)
+                        apart +=
+                            0.25 * (near - r) * (offset + 1e-6 * (i < j ? near : -near) * aside) / (r + 1e-6 * near);
                 }
-                push *= factor * share;
+                push = factor * share * push + apart;
                 const double length = push.norm(), most = 0.2 * spacing;
                 next[m] = keep(i, x + (length > most ? most / length : 1.0) * push);
             }
@@ -87,7 +95,8 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
 ///
 ///     x_a -= C/4 H^2 sum_b spacing^dim grad_a W_ab,   C = 0.5 * 0.995^step, at most 0.2 spacings,
 ///
-/// with the kernel WendlandC2 over H = 2.6 spacings, and those that are less than half a spacing from a surface are put
+/// with the kernel WendlandC2 over H = 2.6 spacings, pairs nearer than 0.6 spacings besides by a quarter of what they
+/// are too near, and those that are less than half a spacing from a surface are put
 /// back to there, on their own side. Particles further away stay on the lattice and hold the others.
 ///
 /// Source: Zhu, Zhang and Hu (2021) for the relaxation with a bounding by level set, Neher et al. (2026) for the

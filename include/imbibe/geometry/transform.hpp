@@ -48,6 +48,9 @@ public:
         return Box<dim>{lower, upper};
     }
 
+    /// Of a shape that has one, m^dim.
+    [[nodiscard]] double volume() const requires requires(const S& shape) { shape.volume(); }
+    { return std::pow(factor_, dim) * shape_.volume(); }
     [[nodiscard]] const S& shape() const { return shape_; } ///< the shape before the transformation
     [[nodiscard]] double factor() const { return factor_; } ///< by how much it is enlarged
     /// Where the transformation takes a point (m) of the shape.
