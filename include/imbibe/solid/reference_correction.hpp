@@ -72,8 +72,8 @@ struct ReferenceCorrectionParameters {
 /// Where it has not (a sheet, a thread, a single particle) M cannot be inverted. Such a particle carries no stress, and
 /// between the two kinds a part of it, the stress share s_a: the elastic energy is sum_a s_a V_a psi(F_a), which no
 /// rotation changes, so angular momentum is kept. L is then (M^2 + e^2)^-1 M with e = none_below, exact in the
-/// directions in which neighbours are. Nothing but HourglassControl holds such parts together: they should be at least
-/// two particles thick.
+/// directions in which neighbours are. Not for such parts therefore, which nothing but HourglassControl holds together:
+/// they should be at least two particles thick.
 ///
 /// Source: Bonet and Lok (1999); Vignjevic, Reveles and Campbell (2006).
 template <class Kernel = WendlandC2>
