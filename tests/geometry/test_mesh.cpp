@@ -94,7 +94,7 @@ TEST_CASE("Mesh: damage is mended, and no point is on the wrong side") {
     CHECK(sound.facets().size() == 2048);
 
     const TriangleMesh inside_out(turned(ball));
-    CHECK(inside_out.damage().inside_out);
+    CHECK(inside_out.damage().inside_out == 1);
     CHECK(wrong(inside_out, sound) == 0);
 
     for (const double share : {0.01, 0.05, 0.2}) {
@@ -147,6 +147,16 @@ TEST_CASE("Mesh: a cavity stays hollow, and a mesh far from the origin keeps its
     CHECK_FALSE(mesh.contains({0, 0, 0}));
     CHECK(mesh.contains({0.75, 0, 0}));
     CHECK(mesh.distance({0.25, 0, 0}) == Approx(0.25).margin(0.01));
+
+    // Inside out as a whole it is mended as a whole; one of two bodies beside each other by itself.
+    const TriangleMesh turned_round(turned(hollow));
+    CHECK(turned_round.damage().inside_out == 2);
+    CHECK(wrong(turned_round, mesh) == 0);
+    const TriangleMesh one_turned(small_meshes::ball({-0.5, 0, 0}, 0.4, 2) +
+                                  turned(small_meshes::ball({0.5, 0, 0}, 0.3, 2)));
+    CHECK(one_turned.damage().inside_out == 1);
+    CHECK(one_turned.contains({-0.5, 0, 0}));
+    CHECK(one_turned.contains({0.5, 0, 0}));
 
     Triangles far = hollow;
     for (auto& corner : far.corners)

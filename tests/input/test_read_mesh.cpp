@@ -90,7 +90,7 @@ void check_tetrahedron(const Triangles& mesh) {
     CHECK(mended.corners.size() == 4);
     CHECK(damage.open_edges == 0);
     CHECK(damage.flipped == 0);
-    CHECK_FALSE(damage.inside_out);
+    CHECK(damage.inside_out == 0);
     CHECK(TriangleMesh(mesh).volume() == Approx(8e-9 / 6));
 }
 

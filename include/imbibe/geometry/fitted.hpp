@@ -91,13 +91,13 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
 ///
 /// All begin on one lattice, so that no place is filled twice and none is left open. A region gets
 /// round(volume/spacing^dim) of them, those that lie deepest in it; all the others are surroundings. Particles nearer
-/// to a surface than 2.6 spacings then move down the gradient of sum_b W_ab, 100 times,
+/// to a surface than 2.6 spacings then move down the gradient of sum_b W_ab, Fitting::steps times,
 ///
 ///     x_a -= C/4 H^2 sum_b spacing^dim grad_a W_ab,   C = 0.5 * 0.995^step, at most 0.2 spacings,
 ///
-/// with the kernel WendlandC2 over H = 2.6 spacings, pairs nearer than 0.6 spacings besides by a quarter of what they
-/// are too near, and those that are less than half a spacing from a surface are put
-/// back to there, on their own side. Particles further away stay on the lattice and hold the others.
+/// with the kernel WendlandC2 over H = 2.6 spacings. Pairs nearer than 0.6 spacings part by half of what they are too
+/// near. Those that are less than half a spacing from a surface are put back to there, on their own side. Particles
+/// further away stay on the lattice and hold the others.
 ///
 /// Source: Zhu, Zhang and Hu (2021) for the relaxation with a bounding by level set, Neher et al. (2026) for the
 /// packing of both sides together.
@@ -192,6 +192,20 @@ std::vector<std::vector<Point<dim>>> pack_shapes(const char* who, double spacing
     return pack<dim>(who, regions, bounds, spacing, anchor, layers, fitting);
 }
 
+/// place(shape, spacing), or for a shape that is turned, moved or enlarged what it gives in the shape's own frame,
+/// transformed.
+template <AnyShape S, class Place>
+std::vector<Point<shape_dimension<S>>> in_own_frame(const S& shape, double spacing, const Place& place) {
+    if constexpr (is_transformed<S>) {
+        auto points = in_own_frame(shape.shape(), spacing / shape.factor(), place);
+        for (auto& point : points)
+            point = shape.image(point);
+        return points;
+    } else {
+        return place(shape, spacing);
+    }
+}
+
 } // namespace detail
 
 /// Particle positions (m) that fill a shape and follow its surface: as many as round(volume/spacing^dim), the outermost
@@ -201,22 +215,16 @@ std::vector<std::vector<Point<dim>>> pack_shapes(const char* who, double spacing
 ///
 /// The lattice begins in the lower corner of the shape's bounds. A shape that is turned, moved or enlarged is filled in
 /// its own frame first. The same shape gives the same particles, for any number of threads. Parts thinner than a
-/// spacing may be missed, and edges are rounded by a fraction of a spacing. Of a shape that is a not whole number of
-/// spacings thick the layers are uneven.
+/// spacing may be missed, and edges are rounded by a fraction of a spacing. Where a shape is not a whole number of
+/// spacings thick, its layers are uneven.
 ///
 /// Throws Error as fill() does, and where the shape has less volume than half a particle.
 template <AnyShape S>
 [[nodiscard]] std::vector<Point<shape_dimension<S>>> fitted(const S& shape, double spacing,
                                                             const Fitting& fitting = {}) {
-    constexpr int dim = shape_dimension<S>;
-    if constexpr (detail::is_transformed<S>) {
-        auto points = fitted(shape.shape(), spacing / shape.factor(), fitting);
-        for (auto& point : points)
-            point = shape.image(point);
-        return points;
-    } else {
-        return detail::pack_shapes<dim>("fitted", spacing, shape.bounds().lower(), 0, fitting, shape)[0];
-    }
+    return detail::in_own_frame(shape, spacing, [&](const auto& own, double of) {
+        return detail::pack_shapes<shape_dimension<S>>("fitted", of, own.bounds().lower(), 0, fitting, own)[0];
+    });
 }
 
 /// Positions (m) of wall particles that follow the surface of a shape: `layers` layers round it, the first half a
@@ -225,17 +233,11 @@ template <AnyShape S>
 template <AnyShape S>
 [[nodiscard]] std::vector<Point<shape_dimension<S>>> walls_of(const S& shape, double spacing, int layers,
                                                               const Fitting& fitting = {}) {
-    constexpr int dim = shape_dimension<S>;
     require(layers >= 1, "walls_of: layers = ", layers,
             " must be from 1 to 1000. As many as the support radius has spacings, rounded up, is usual: 2 to 4.");
-    if constexpr (detail::is_transformed<S>) {
-        auto points = walls_of(shape.shape(), spacing / shape.factor(), layers, fitting);
-        for (auto& point : points)
-            point = shape.image(point);
-        return points;
-    } else {
-        return detail::pack_shapes<dim>("walls_of", spacing, shape.bounds().lower(), layers, fitting, shape)[1];
-    }
+    return detail::in_own_frame(shape, spacing, [&](const auto& own, double of) {
+        return detail::pack_shapes<shape_dimension<S>>("walls_of", of, own.bounds().lower(), layers, fitting, own)[1];
+    });
 }
 
 /// Several shapes that touch, packed together on one lattice, as a body and the water round it, and `layers` layers

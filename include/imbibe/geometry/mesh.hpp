@@ -32,7 +32,7 @@ struct MeshDamage {
     long long copies = 0;     ///< triangles that were there more than once, and were dropped but for one
     long long inner = 0;      ///< triangles between two bodies that touch, which were dropped
     long long flipped = 0;    ///< triangles that were turned to face as their neighbours do
-    bool inside_out = false;  ///< whether the whole mesh faced inwards, and was turned
+    int inside_out = 0;       ///< pieces that faced inwards, and were turned
     long long open_edges = 0; ///< edges of one triangle only, after all this: the surface has gaps there
     long long odd_edges = 0;  ///< edges of more than two triangles, after all this
     int parts = 0;            ///< pieces of surface that hang together by edges
@@ -143,12 +143,151 @@ inline double signed_volume(const Triangles& mesh) {
     return sum;
 }
 
+/// The solid angle of a triangle seen from a point, over 4 pi. Source: van Oosterom and Strackee (1983).
+inline double part_of_a_turn(const Facet<3>& facet, const Point<3>& point) {
+    const Point<3> a = facet[0] - point, b = facet[1] - point, c = facet[2] - point;
+    const double x = a.norm(), y = b.norm(), z = c.norm();
+    return std::atan2(a.dot(cross(b, c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y) /
+           (2 * std::numbers::pi);
+}
+
+/// Leaves one triangle of each set of three corners. Returns, for each that is left, whether there were some that faced
+/// the other way.
+inline std::vector<char> keep_one_of_each(std::vector<std::array<int, 3>>& triangles, MeshDamage& found) {
+    const auto turns_up = [](const std::array<int, 3>& t) { // from its least corner on, up or down?
+        const auto least = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
+        return t[(least + 1) % 3] < t[(least + 2) % 3];
+    };
+    const auto corners = [&](std::size_t i) { // in their order
+        auto key = triangles[i];
+        std::sort(key.begin(), key.end());
+        return key;
+    };
+    std::vector<std::size_t> order(triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) {
+        return std::pair{corners(a), a} < std::pair{corners(b), b};
+    });
+    std::vector<std::array<int, 3>> once;
+    std::vector<char> both_ways;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const auto& triangle = triangles[order[k]];
+        if (k > 0 && corners(order[k]) == corners(order[k - 1])) {
+            ++found.copies;
+            both_ways.back() = both_ways.back() || turns_up(once.back()) != turns_up(triangle);
+        } else {
+            once.push_back(triangle);
+            both_ways.push_back(0);
+        }
+    }
+    triangles.swap(once);
+    return both_ways;
+}
+
+/// Triangles that hang together across edges of two.
+inline Groups pieces_of(const std::vector<std::array<int, 3>>& triangles) {
+    Groups groups(triangles.size());
+    for_edges(triangles, [&](auto first, auto last) {
+        if (last - first == 2)
+            groups.join(first->triangle, first[1].triangle);
+    });
+    return groups;
+}
+
+/// Drops pieces that were there facing both ways and end at other pieces: walls between two bodies.
+inline void drop_walls_between(std::vector<std::array<int, 3>>& triangles, const std::vector<char>& both_ways,
+                               MeshDamage& found) {
+    Groups pieces = pieces_of(triangles);
+    std::vector<char> ends_at_others(triangles.size(), 0), faces_one_way(triangles.size(), 0);
+    for_edges(triangles, [&](auto first, auto last) {
+        for (auto edge = first; last - first > 2 && edge != last; ++edge)
+            ends_at_others[pieces.of(edge->triangle)] = 1;
+    });
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        if (!both_ways[t])
+            faces_one_way[pieces.of(t)] = 1;
+    std::vector<std::array<int, 3>> kept;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        if (ends_at_others[pieces.of(t)] && !faces_one_way[pieces.of(t)])
+            ++found.inner;
+        else
+            kept.push_back(triangles[t]);
+    found.copies -= found.inner; // of these, one too was called a copy
+    triangles.swap(kept);
+}
+
+/// Turns triangles: each to face as most of its piece does, and pieces outwards, but for those round a cavity.
+inline void face_outwards(Triangles& mesh, MeshDamage& found) {
+    auto& triangles = mesh.triangles;
+    const auto turn = [&](std::size_t t) { std::swap(triangles[t][1], triangles[t][2]); };
+    std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(triangles.size()); // and whether they agree
+    for_edges(triangles, [&](auto first, auto last) {
+        found.open_edges += last - first == 1;
+        found.odd_edges += last - first > 2;
+        if (last - first == 2) {
+            const bool agree = first->backwards != first[1].backwards;
+            neighbours[first->triangle].push_back({first[1].triangle, agree});
+            neighbours[first[1].triangle].push_back({first->triangle, agree});
+        }
+    });
+    std::vector<signed char> sense(triangles.size(), 0);
+    std::vector<std::vector<std::uint32_t>> pieces;
+    for (std::uint32_t seed = 0; seed < triangles.size(); ++seed) {
+        if (sense[seed] != 0)
+            continue;
+        auto& piece = pieces.emplace_back(1, seed);
+        sense[seed] = 1;
+        double kept = 0;
+        for (std::size_t k = 0; k < piece.size(); ++k) {
+            kept += sense[piece[k]] * double_area(mesh, triangles[piece[k]]).norm();
+            for (const auto& [next, agree] : neighbours[piece[k]])
+                if (sense[next] == 0) {
+                    sense[next] = static_cast<signed char>(agree ? sense[piece[k]] : -sense[piece[k]]);
+                    piece.push_back(next);
+                }
+        }
+        for (const auto t : piece)
+            if ((sense[t] > 0) != (kept > 0)) {
+                turn(t);
+                ++found.flipped;
+            }
+    }
+    found.parts = static_cast<int>(pieces.size());
+
+    if (signed_volume(mesh) < 0) {
+        found.inside_out = found.parts;
+        for (std::size_t t = 0; t < triangles.size(); ++t)
+            turn(t);
+    }
+    const auto facet = [&](std::size_t t) {
+        const auto at = [&](std::size_t k) { return mesh.corners[static_cast<std::size_t>(triangles[t][k])]; };
+        return Facet<3>{at(0), at(1), at(2)};
+    };
+    if (pieces.size() > 1 && pieces.size() <= 1000) // not of a soup
+        for (std::size_t p = 0; p < pieces.size(); ++p) {
+            double volume = 0, turns = 0; // of the piece; of the others round it
+            const Point<3> place = facet(pieces[p][0])[0];
+            for (const auto t : pieces[p])
+                volume += (facet(t)[0] - place).dot(double_area(mesh, triangles[t])) / 6;
+            if (volume >= 0)
+                continue;
+            for (std::size_t other = 0; other < pieces.size(); ++other)
+                for (const auto t : pieces[other])
+                    turns += other == p ? 0 : part_of_a_turn(facet(t), place);
+            if (turns < 0.5) {
+                ++found.inside_out;
+                for (const auto t : pieces[p])
+                    turn(t);
+            }
+        }
+}
+
 } // namespace detail
 
 /// The mesh mended: corners in one place become one, triangles without area are dropped, of triangles that are there
 /// twice one is kept (none where two bodies share a wall), those that face the wrong way are turned to face as most of
-/// their piece do, and all of them where the whole mesh faces inwards. Gaps stay open: what is inside is decided by
-/// TriangleMesh all the same.
+/// their piece do, and whole pieces that face inwards, but for those round a cavity. Gaps stay open: what is inside is
+/// decided by TriangleMesh all the same.
 ///
 /// Throws Error for a mesh without triangles, for corners that are not finite, and for numbers of corners that are not
 /// there.
@@ -167,111 +306,15 @@ inline double signed_volume(const Triangles& mesh) {
                                  static_cast<long long>(mesh.corners.size()) - 1, "."));
     MeshDamage found;
     Triangles result = detail::welded(mesh);
-    auto& triangles = result.triangles;
-    const auto before = static_cast<long long>(triangles.size());
-    std::erase_if(triangles, [&](const auto& t) {
+    const auto before = static_cast<long long>(result.triangles.size());
+    std::erase_if(result.triangles, [&](const auto& t) {
         return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || !(detail::double_area(result, t).norm() > 0);
     });
-    found.degenerate = before - static_cast<long long>(triangles.size());
-    require(!triangles.empty(), "mend: none of the ", before, " triangles of the mesh has an area.");
-
-    // One of each set of three corners, and whether it was there facing both ways.
-    const auto turns_up = [](const std::array<int, 3>& t) { // from its least corner on, up or down?
-        const auto least = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
-        return t[(least + 1) % 3] < t[(least + 2) % 3];
-    };
-    std::vector<std::size_t> order(triangles.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto sorted = [&](std::size_t i) {
-        auto key = triangles[i];
-        std::sort(key.begin(), key.end());
-        return key;
-    };
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) {
-        return std::pair{sorted(a), a} < std::pair{sorted(b), b};
-    });
-    std::vector<std::array<int, 3>> once;
-    std::vector<char> both_ways;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const auto& triangle = triangles[order[k]];
-        if (k > 0 && sorted(order[k]) == sorted(order[k - 1])) {
-            ++found.copies;
-            both_ways.back() = both_ways.back() || turns_up(once.back()) != turns_up(triangle);
-        } else {
-            once.push_back(triangle);
-            both_ways.push_back(0);
-        }
-    }
-
-    // Pieces that hang together across edges of two triangles. One that faces both ways and ends at others is a wall
-    // between two bodies.
-    const auto pieces_of = [](const std::vector<std::array<int, 3>>& of) {
-        detail::Groups groups(of.size());
-        detail::for_edges(of, [&](auto first, auto last) {
-            if (last - first == 2)
-                groups.join(first->triangle, first[1].triangle);
-        });
-        return groups;
-    };
-    {
-        auto pieces = pieces_of(once);
-        std::vector<char> ends_at_others(once.size(), 0), faces_one_way(once.size(), 0);
-        detail::for_edges(once, [&](auto first, auto last) {
-            for (auto edge = first; last - first > 2 && edge != last; ++edge)
-                ends_at_others[pieces.of(edge->triangle)] = 1;
-        });
-        for (std::size_t t = 0; t < once.size(); ++t)
-            if (!both_ways[t])
-                faces_one_way[pieces.of(t)] = 1;
-        triangles.clear();
-        for (std::size_t t = 0; t < once.size(); ++t)
-            if (ends_at_others[pieces.of(t)] && !faces_one_way[pieces.of(t)])
-                ++found.inner;
-            else
-                triangles.push_back(once[t]);
-        found.copies -= found.inner; // of these, one too was called a copy
-    }
-
-    // Each piece in one sense, which that of most of its area is; then all of them outwards.
-    auto pieces = pieces_of(triangles);
-    std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(triangles.size()); // and whether they agree
-    detail::for_edges(triangles, [&](auto first, auto last) {
-        found.open_edges += last - first == 1;
-        found.odd_edges += last - first > 2;
-        if (last - first == 2) {
-            const bool agree = first->backwards != first[1].backwards;
-            neighbours[first->triangle].push_back({first[1].triangle, agree});
-            neighbours[first[1].triangle].push_back({first->triangle, agree});
-        }
-    });
-    std::vector<signed char> sense(triangles.size(), 0);
-    std::vector<std::uint32_t> piece;
-    for (std::uint32_t seed = 0; seed < triangles.size(); ++seed) {
-        if (sense[seed] != 0)
-            continue;
-        ++found.parts;
-        piece.assign(1, seed);
-        sense[seed] = 1;
-        double kept = 0;
-        for (std::size_t k = 0; k < piece.size(); ++k) {
-            kept += sense[piece[k]] * detail::double_area(result, triangles[piece[k]]).norm();
-            for (const auto& [next, agree] : neighbours[piece[k]])
-                if (sense[next] == 0) {
-                    sense[next] = static_cast<signed char>(agree ? sense[piece[k]] : -sense[piece[k]]);
-                    piece.push_back(next);
-                }
-        }
-        for (const auto t : piece)
-            if ((sense[t] > 0) != (kept > 0)) {
-                std::swap(triangles[t][1], triangles[t][2]);
-                ++found.flipped;
-            }
-    }
-    if (detail::signed_volume(result) < 0) {
-        found.inside_out = true;
-        for (auto& triangle : triangles)
-            std::swap(triangle[1], triangle[2]);
-    }
+    found.degenerate = before - static_cast<long long>(result.triangles.size());
+    require(!result.triangles.empty(), "mend: none of the ", before, " triangles of the mesh has an area.");
+    const std::vector<char> both_ways = detail::keep_one_of_each(result.triangles, found);
+    detail::drop_walls_between(result.triangles, both_ways, found);
+    detail::face_outwards(result, found);
     if (damage != nullptr)
         *damage = found;
     return result;
@@ -387,14 +430,6 @@ private:
             }
         }
 
-        /// The solid angle of a triangle over 4 pi. Source: van Oosterom and Strackee (1983).
-        [[nodiscard]] static double turn_of(const Facet<3>& facet, const Point<3>& point) {
-            const Point<3> a = facet[0] - point, b = facet[1] - point, c = facet[2] - point;
-            const double x = a.norm(), y = b.norm(), z = c.norm();
-            return std::atan2(a.dot(detail::cross(b, c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y) /
-                   (2 * std::numbers::pi);
-        }
-
         [[nodiscard]] double winding(const Point<3>& point, int number = 0) const {
             const Moments& m = moments[static_cast<std::size_t>(number)];
             const Point<3> r = m.centre - point;
@@ -409,7 +444,7 @@ private:
                 return winding(point, number + 1) + winding(point, node.second_half);
             double sum = 0;
             for (int i = node.first; i < node.first + node.count; ++i)
-                sum += turn_of(tree.facets()[static_cast<std::size_t>(i)], point);
+                sum += detail::part_of_a_turn(tree.facets()[static_cast<std::size_t>(i)], point);
             return sum;
         }
 

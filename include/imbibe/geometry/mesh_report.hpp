@@ -53,8 +53,8 @@ struct MeshReport {
     if (damage.odd_edges > 0)
         say(true, text(plural(damage.odd_edges, "edge has", "edges have"),
                        " more than two triangles: pieces of surface meet there. Look at the shape there."));
-    if (damage.inside_out)
-        say(false, "It was inside out; all triangles were turned.");
+    if (damage.inside_out > 0)
+        say(false, text(plural(damage.inside_out, "piece was", "pieces were"), " inside out and turned."));
     if (damage.flipped > 0)
         say(false, text(plural(damage.flipped, "triangle faced", "triangles faced"),
                         " the other way than those beside, and was turned."));
