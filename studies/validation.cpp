@@ -24,6 +24,7 @@
 #include <cases/validation/pipe.hpp>
 #include <cases/validation/plates.hpp>
 #include <cases/validation/porous_spheres.hpp>
+#include <cases/validation/ramp.hpp>
 #include <cases/validation/report.hpp>
 #include <cases/validation/rising_bubble.hpp>
 #include <cases/validation/sessile_drop.hpp>
@@ -76,6 +77,7 @@ int main(int argc, char** argv) {
         {"spinning-plate", "particles along a side", {10, 20}, spinning_plate::measure},
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
         {"turned-beam", "particles over the thickness", {6, 12}, turned_beam::measure},
+        {"ramp", "particles over the depth", {5, 10}, ramp::measure},
         {"turek-hron", "particles over the thickness", {4, 6, 10, 20}, turek_hron::measure},
         {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure},
         {"dam-break-at-wall", "particles over the depth", {40, 80}, dam_break_at_wall::measure},

@@ -199,7 +199,7 @@ IMBIBE_CODE SurfaceSteps surface_steps(const Outline& phase, const Outline* flui
 
 IMBIBE_CODE std::string warning_of_steps(const Outline& phase, const Outline* fluid, const OutlineOfScene& scene) {
     const SurfaceSteps steps = surface_steps(phase, fluid, scene);
-    if (steps.looked_at < 10 || 5 * steps.looked_at < steps.of || steps.unevenness < 0.12)
+    if (steps.looked_at < 30 || 5 * steps.looked_at < steps.of || steps.unevenness < 0.12)
         return {};
     return text(phase.name, ": its surface runs in steps across the lattice of its particles, such as at ",
                 scene.text_of(steps.place), " (unevenness ", steps.unevenness, "; 0.12 is allowed). ",

@@ -1,0 +1,23 @@
+// Bodies that do not lie along the lattice, against what one expects of them at any angle.
+#include <catch_shim.hpp>
+
+#include <cases/validation/ramp.hpp>
+#include <cases/validation/turned_beam.hpp>
+
+namespace reference_bodies_test {
+
+TEST_CASE("A beam of fitted particles bends at an angle as it does along the lattice", "[validation][solid]") {
+    using validation::turned_beam::deflection;
+    using Placing = validation::turned_beam::Placing;
+    const double along = deflection(0, 4, 1.5, Placing::fitted);
+    CHECK(along == Approx(1.15).margin(0.05)); // with four layers; 1/15 of it is the sum over the layers
+    CHECK(deflection(30, 4, 1.5, Placing::fitted) == Approx(along).epsilon(0.01));
+    CHECK(deflection(30, 4, 1.5, Placing::filled) > 1.5);
+}
+
+TEST_CASE("Water slips down a ramp of fitted particles as fast as it falls", "[validation][fluid]") {
+    CHECK(validation::ramp::speed(10, 5, false) == Approx(1).epsilon(0.02));
+    CHECK(validation::ramp::speed(10, 5, true) < 0.6);
+}
+
+} // namespace reference_bodies_test
