@@ -6,7 +6,7 @@
 // the extrapolated k.
 #pragma once
 
-#include "case.hpp"
+#include "spheres.hpp"
 
 #include <imbibe/geometry/sphere.hpp>
 #include <imbibe/porous/permeability.hpp>
@@ -24,18 +24,9 @@ struct InCell {
     sph::Box<3> bounds() const { return {{0, 0, 0}, {1, 1, 1}}; }
 };
 
-struct Known {
-    double fraction, K;
-};
 inline std::vector<Measured> measure(int across) {
     std::vector<Measured> found;
-    for (const Known& a : {Known{.027, 2.008},
-                           {.064, 2.810},
-                           {.125, 4.292},
-                           {.216, 7.442},
-                           {.343, 15.4},
-                           {.45, 28.1},
-                           {.5236, 42.1}}) { // the last ones touch
+    for (const auto& a : spheres::known) {
         const double radius = std::cbrt(3 * a.fraction / (4 * std::numbers::pi));
         const auto k = sph::permeability(InCell{sph::Sphere<3>{{0.5, 0.5, 0.5}, radius}}, 1.0 / across, 0,
                                          {.left = 5e-3, .threads = 1});

@@ -33,16 +33,14 @@ double drag(int across, double fraction, double support = 3) {
 struct Known {
     double fraction, K;
 };
+/// Zick and Homsy (1982); the last ones touch.
+inline constexpr Known known[]{{.027, 2.008}, {.064, 2.810}, {.125, 4.292}, {.216, 7.442},
+                               {.343, 15.4},  {.45, 28.1},   {.5236, 42.1}};
+
 inline std::vector<Measured> measure(int across) {
     std::vector<Measured> found;
     double touching = 0;
-    for (const Known& a : {Known{.027, 2.008},
-                           {.064, 2.810},
-                           {.125, 4.292},
-                           {.216, 7.442},
-                           {.343, 15.4},
-                           {.45, 28.1},
-                           {.5236, 42.1}}) { // the last ones touch
+    for (const Known& a : known) {
         touching = drag(across, a.fraction);
         found.push_back({sph::text("K, c = ", a.fraction), "8 % at 24 to 32", touching, a.K});
     }

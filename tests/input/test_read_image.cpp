@@ -1,10 +1,10 @@
 // Images in voxels from raw, npy, NRRD, MetaImage, NIfTI-1, TIFF and VTI files, and what is said of damaged ones.
+#include "bytes_of.hpp"
+
 #include <catch_shim.hpp>
 
 #include <imbibe/input/read_image.hpp>
 
-#include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -14,17 +14,9 @@ namespace read_image_test {
 
 using namespace imbibe;
 using imbibe_test::contains;
+using input_test::append;
 
 namespace {
-
-template <class T>
-void append(std::string& bytes, T value, bool little = true) {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof(T));
-    if (!little)
-        std::reverse(raw, raw + sizeof(T));
-    bytes.append(raw, sizeof(T));
-}
 
 /// 3 x 2 x 2 voxels, each with a value that tells where it is.
 constexpr int nx = 3, ny = 2, nz = 2;

@@ -1,9 +1,10 @@
 // Meshes from STL, OBJ and PLY files, and what is said of files that are damaged.
+#include "bytes_of.hpp"
+
 #include <catch_shim.hpp>
 
 #include <imbibe/input/read_mesh.hpp>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,17 +13,9 @@ namespace read_mesh_test {
 
 using namespace imbibe;
 using imbibe_test::contains;
+using input_test::append;
 
 namespace {
-
-template <class T>
-void append(std::string& bytes, T value, bool little = true) {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof(T));
-    if (!little)
-        std::reverse(raw, raw + sizeof(T));
-    bytes.append(raw, sizeof(T));
-}
 
 /// A tetrahedron with edges of 2 along the axes: its corners, and its faces from outside.
 constexpr float corners[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
