@@ -141,17 +141,17 @@ private:
                     std::min(least, (detail::nearest_point(facets_[static_cast<std::size_t>(i)], p) - p).squaredNorm());
             return;
         }
-        int near = number + 1, far = node.second_half;
-        double to_near = to_box(nodes_[static_cast<std::size_t>(near)], p),
-               to_far = to_box(nodes_[static_cast<std::size_t>(far)], p);
-        if (to_far < to_near) {
-            std::swap(near, far);
-            std::swap(to_near, to_far);
+        int nearer = number + 1, farther = node.second_half;
+        double to_nearer = to_box(nodes_[static_cast<std::size_t>(nearer)], p),
+               to_farther = to_box(nodes_[static_cast<std::size_t>(farther)], p);
+        if (to_farther < to_nearer) {
+            std::swap(nearer, farther);
+            std::swap(to_nearer, to_farther);
         }
-        if (to_near < least)
-            search(near, p, least);
-        if (to_far < least)
-            search(far, p, least);
+        if (to_nearer < least)
+            search(nearer, p, least);
+        if (to_farther < least)
+            search(farther, p, least);
     }
 
     std::vector<Facet<dim>> facets_;

@@ -32,7 +32,7 @@ inline constexpr double fitting_reach = 2.6, fitting_depth = 2.6;
 template <int dim, class Keep>
 void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, double spacing, int steps, int threads,
            const Keep& keep) {
-    const double H = fitting_reach * spacing, skin = 0.4 * spacing, near = 0.6 * spacing;
+    const double H = fitting_reach * spacing, skin = 0.4 * spacing, close = 0.6 * spacing;
     Point<dim> aside; // of two in one place one goes this way, one the other
     for (int axis = 0; axis < dim; ++axis)
         aside[axis] = std::cos(1.0 + axis);
@@ -72,9 +72,9 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
                         push -= WendlandC2::derivative_over_q(std::sqrt(q2)) * offset;
                     // The slope of a kernel vanishes at its middle: a pair that a corner has brought together would
                     // stay.
-                    if (const double r = H * std::sqrt(q2); r < near)
+                    if (const double r = H * std::sqrt(q2); r < close)
                         apart +=
-                            0.25 * (near - r) * (offset + 1e-6 * (i < j ? near : -near) * aside) / (r + 1e-6 * near);
+                            0.25 * (close - r) * (offset + 1e-6 * (i < j ? close : -close) * aside) / (r + 1e-6 * close);
                 }
                 push = factor * share * push + apart;
                 const double length = push.norm(), most = 0.2 * spacing;
@@ -126,7 +126,7 @@ std::vector<std::vector<Point<dim>>> pack(const char* who, const std::vector<Lev
         depths.clear();
         const auto key = [&](std::size_t i) {
             const double tie = random_number(1, i) * 1e-4 * spacing;
-            return std::pair{of(region)(points[i]) + tie, static_cast<std::uint64_t>(i)};
+            return std::pair{of(region)(points[i]) + tie, i};
         };
         for (std::size_t i = 0; i < number; ++i)
             if (owner[i] == surroundings)

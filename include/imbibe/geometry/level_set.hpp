@@ -86,6 +86,7 @@ public:
 private:
     static constexpr std::size_t slot(int axis) { return static_cast<std::size_t>(axis); }
     static constexpr int corners = 1 << dim;
+    static constexpr std::size_t lines = std::size_t{corners} * corners; // between two corners of a cell
     static constexpr int block = 4; // nodes each way that are settled together if they are far from the surface
 
     [[nodiscard]] std::size_t flat(const Index& node) const {
@@ -173,15 +174,15 @@ private:
             --n;
         std::vector<std::vector<Facet<dim>>> of_slice(static_cast<std::size_t>(cells[dim - 1]));
         for_slices(cells, [&](const Index& cell, int slice) {
-            std::array<bool, corners> in;
+            std::array<bool, static_cast<std::size_t>(corners)> in;
             int number = 0;
             for (int c = 0; c < corners; ++c)
                 number += (in[static_cast<std::size_t>(c)] = inside[flat(corner(cell, c))] != 0);
             if (number == 0 || number == corners)
                 return;
             // Where the lines between the corners of this cell go through the surface, each found when first needed.
-            std::array<Point<dim>, corners * corners> through;
-            std::array<bool, corners * corners> known{};
+            std::array<Point<dim>, lines> through;
+            std::array<bool, lines> known{};
             const auto crossing = [&](int from, int to) -> const Point<dim>& {
                 const auto line = static_cast<std::size_t>(from * corners + to);
                 if (!known[line]) {
@@ -260,8 +261,9 @@ private:
             for_slices(cells, [&](const Index& cell, int slice) {
                 int in = 0, settled = 0;
                 for (int c = 0; c < corners; ++c) {
-                    const float s = values_[flat(corner(cell, c))];
-                    in += s<0, settled += std::abs(s)> cell_ * std::sqrt(double(dim));
+                    const double away = static_cast<double>(values_[flat(corner(cell, c))]);
+                    in += away < 0 ? 1 : 0;
+                    settled += std::abs(away) > cell_ * std::sqrt(double(dim)) ? 1 : 0;
                 }
                 auto& sum = hits[static_cast<std::size_t>(slice)];
                 if (settled == corners)
