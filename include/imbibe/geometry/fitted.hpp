@@ -73,8 +73,8 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
                     // The slope of a kernel vanishes at its middle: a pair that a corner has brought together would
                     // stay.
                     if (const double r = H * std::sqrt(q2); r < close)
-                        apart +=
-                            0.25 * (close - r) * (offset + 1e-6 * (i < j ? close : -close) * aside) / (r + 1e-6 * close);
+                        apart += 0.25 * (close - r) * (offset + 1e-6 * (i < j ? close : -close) * aside) /
+                                 (r + 1e-6 * close);
                 }
                 push = factor * share * push + apart;
                 const double length = push.norm(), most = 0.2 * spacing;
