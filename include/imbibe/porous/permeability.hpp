@@ -57,7 +57,7 @@ struct Contact : Coupling<Liquid, Grains, Into<Grains, PressureExtrapolation<Qui
 } // namespace porous
 
 /// The permeability of a periodic cell that particles of liquid and of a rigid body fill, for a pressure that falls
-/// along `axis`: k_i = mu <u_i>/f, m^2, with the mean velocity u over the whole cell (Darcy) and the driving force f
+/// along `axis`: k_i = mu u_i/f, m^2, with the mean velocity u over the whole cell (Darcy) and the driving force f
 /// per volume.
 ///
 /// The flow is slow: inertia plays no part, k does not depend on liquid or force, and the particles move by less than a

@@ -74,6 +74,7 @@ inline constexpr AveragedMeanStress averaged_mean_stress{};
 template <class Average = Poly6>
 struct VolumetricDeviatoric {
     static constexpr bool of_solids = true;
+    /// J = det F of a particle, at least 1e-3.
     static IMBIBE_INLINE constexpr auto volume_ratio_of(const auto& a) {
         using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
         return max(determinant(a[deformation_gradient]), T(1e-3));
