@@ -6,6 +6,8 @@
 //   build/porous part.stl --unit mm --across 80           a mesh in millimetres, 80 particles along its longest side
 //
 // The body is taken as one cell of an endless one: it should fit to itself across its sides.
+#include "support/quiet_waiting.hpp"
+
 #include <imbibe/imbibe.hpp>
 #include <imbibe/porous/permeability.hpp>
 
@@ -26,6 +28,7 @@ void measure(const Shape& shape, double spacing, const std::vector<std::string>&
 }
 
 int main(int argc, char** argv) {
+    sph::example::sleep_while_waiting(argv);
     CLI::App app{"The permeability of a porous body."};
     std::string file, unit, solid = "above";
     double voxel = 0, threshold = 0;

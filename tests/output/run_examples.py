@@ -13,8 +13,8 @@ import subprocess
 import sys
 import tempfile
 
-# (example, arguments, a file that it writes, if any, and the time it ends with, a number that it prints, or the greatest of a column
-# of a table that it writes, and between what it may be)
+# (example, arguments, a file that it writes, if any, and the time it ends with, a number that it prints, or the greatest
+# of a column of a table that it writes, and between what it may be)
 EXAMPLES = [
     ("dam_break", [], "out-dam-break/water.pvd", 1.0, None),
     ("dam_break_2d", ["16"], "out-dam-break-2d/water.pvd", 0.7,
@@ -28,6 +28,7 @@ EXAMPLES = [
     ("drinking_sponge", ["45", "2", "0.5"], "out-drinking-sponge/sponge.pvd", 0.03,
      (r"(\d+) % of the pores are full", 60, 95)),
     ("oil_in_sponge", ["20", "60", "0.15"], "out-oil-in-sponge/oil.pvd", None, (r"(\d+) % of the oil is out", 55, 85)),
+    ("porous", ["--across", "24"], None, None, (r"along y: k = ([\d.]+)e-09", 3.4, 3.9)),
 ]
 
 # (example, arguments, what it says before it has begun)
