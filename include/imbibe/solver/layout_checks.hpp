@@ -3,6 +3,7 @@
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
+#include <imbibe/core/vector.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/solver/outline.hpp>
 
