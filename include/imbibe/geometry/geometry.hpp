@@ -14,6 +14,7 @@
 #include <imbibe/geometry/image_report.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/geometry/level_set.hpp>
+#include <imbibe/geometry/mend.hpp>
 #include <imbibe/geometry/mesh.hpp>
 #include <imbibe/geometry/mesh_report.hpp>
 #include <imbibe/geometry/passage.hpp>
