@@ -9,6 +9,7 @@
 #include "support/quiet_waiting.hpp"
 
 #include <imbibe/imbibe.hpp>
+#include <imbibe/input/input.hpp>
 #include <imbibe/porous/permeability.hpp>
 
 #include <CLI/CLI.hpp>

@@ -3,6 +3,7 @@
 //
 //   build/guide_part_in_water           writes out-part-in-water/part.stl first, a pyramid in millimetres
 #include <imbibe/imbibe.hpp>
+#include <imbibe/input/input.hpp>
 
 #include <cstdio>
 #include <filesystem>

@@ -38,8 +38,6 @@
 #include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
-#include <imbibe/input/read_image.hpp>
-#include <imbibe/input/read_mesh.hpp>
 #include <imbibe/interface/interface_tension.hpp>
 #include <imbibe/kernels/kernels.hpp>
 #include <imbibe/methods/capillary_fluid.hpp>

@@ -18,7 +18,7 @@ namespace imbibe {
 
 /// How particles are made to follow a surface. The defaults are for everyday use.
 struct Fitting {
-    int steps = 100; ///< of the relaxation, 0 to 10000; the particles of a smooth body lie well after some 50
+    int steps = 100; ///< of the relaxation, 0 to 10000
     int threads = 0; ///< 1 to 1024; 0: all of the machine. The particles are the same for any number
 };
 
@@ -210,7 +210,7 @@ std::vector<Point<shape_dimension<S>>> in_own_frame(const S& shape, double spaci
 
 /// Particle positions (m) that fill a shape and follow its surface: as many as round(volume/spacing^dim), the outermost
 /// half a spacing deep. On flat faces along the lattice they are those of fill(); elsewhere fill() makes stairs, which
-/// are too soft as a solid (a beam at 30 degrees bends 1.9 times too far), brake what slips along them as a wall, and
+/// are too soft as a solid and brake what slips along them as a wall (docs/validation.md, turned-beam and ramp), and
 /// give a small body the wrong mass.
 ///
 /// The lattice begins in the lower corner of the shape's bounds. A shape that is turned, moved or enlarged is filled in

@@ -1,4 +1,4 @@
-// All of the geometry room in one include.
+// All of the geometry room in one include, but for meshes and images: those are in input/input.hpp.
 #pragma once
 
 #include <imbibe/geometry/box.hpp>
@@ -10,13 +10,8 @@
 #include <imbibe/geometry/fitted.hpp>
 #include <imbibe/geometry/foam.hpp>
 #include <imbibe/geometry/half_space.hpp>
-#include <imbibe/geometry/image.hpp>
-#include <imbibe/geometry/image_report.hpp>
 #include <imbibe/geometry/jitter.hpp>
 #include <imbibe/geometry/level_set.hpp>
-#include <imbibe/geometry/mend.hpp>
-#include <imbibe/geometry/mesh.hpp>
-#include <imbibe/geometry/mesh_report.hpp>
 #include <imbibe/geometry/passage.hpp>
 #include <imbibe/geometry/point.hpp>
 #include <imbibe/geometry/pore_report.hpp>
@@ -25,6 +20,5 @@
 #include <imbibe/geometry/shape.hpp>
 #include <imbibe/geometry/sphere.hpp>
 #include <imbibe/geometry/tank.hpp>
-#include <imbibe/geometry/thickness.hpp>
 #include <imbibe/geometry/transform.hpp>
 #include <imbibe/geometry/triply_periodic.hpp>

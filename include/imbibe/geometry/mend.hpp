@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imbibe/geometry/facets.hpp>
+#include <imbibe/geometry/groups.hpp>
 #include <imbibe/geometry/point.hpp>
 
 #include <algorithm>
@@ -36,21 +37,6 @@ struct MeshDamage {
 };
 
 namespace detail {
-
-/// Which things belong together: joined two by two.
-class Groups {
-public:
-    explicit Groups(std::size_t number) : parent_(number) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-    std::size_t of(std::size_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::size_t i, std::size_t j) { parent_[of(i)] = of(j); }
-
-private:
-    std::vector<std::size_t> parent_;
-};
 
 /// The same corner number for all corners in one place, or nearer than a millionth of the mesh's size.
 inline Triangles welded(const Triangles& mesh) {

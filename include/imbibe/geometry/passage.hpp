@@ -2,13 +2,13 @@
 #pragma once
 
 #include <imbibe/geometry/distance_transform.hpp>
+#include <imbibe/geometry/groups.hpp>
 #include <imbibe/geometry/shape.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace imbibe {
@@ -67,15 +67,8 @@ template <AnyShape S>
         if (distance[id] > 0)
             order.push_back(static_cast<std::uint32_t>(id));
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distance[a] > distance[b]; });
-    const auto inlet = static_cast<std::uint32_t>(count);
-    const std::uint32_t outlet = inlet + 1;
-    std::vector<std::uint32_t> parent(count + 2);
-    std::iota(parent.begin(), parent.end(), std::uint32_t{0});
-    const auto group = [&](std::uint32_t id) {
-        while (parent[id] != id)
-            id = parent[id] = parent[parent[id]];
-        return id;
-    };
+    const std::size_t inlet = count, outlet = count + 1;
+    detail::Groups groups(count + 2);
     std::vector<bool> open(count, false);
     const auto along = static_cast<std::size_t>(axis);
     for (const std::uint32_t id : order) {
@@ -83,15 +76,15 @@ template <AnyShape S>
         for (std::size_t k = 0; k < dim; ++k) {
             const std::size_t i = index_along(id, k);
             if (i > 0 && open[id - stride[k]])
-                parent[group(static_cast<std::uint32_t>(id - stride[k]))] = group(id);
+                groups.join(id - stride[k], id);
             if (i + 1 < cells[k] && open[id + stride[k]])
-                parent[group(static_cast<std::uint32_t>(id + stride[k]))] = group(id);
+                groups.join(id + stride[k], id);
         }
         if (index_along(id, along) == 0)
-            parent[group(inlet)] = group(id);
+            groups.join(inlet, id);
         if (index_along(id, along) + 1 == cells[along])
-            parent[group(outlet)] = group(id);
-        if (group(inlet) == group(outlet)) {
+            groups.join(outlet, id);
+        if (groups.of(inlet) == groups.of(outlet)) {
             const double width = 2 * std::sqrt(distance[id]) * cell;
             double widest = box.size().maxCoeff();
             for (int k = 0; k < dim; ++k)

@@ -29,6 +29,19 @@ inline void add_face(Triangles& mesh, const std::vector<int>& corners) {
         mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
 }
 
+/// The next three numbers of a line.
+inline Point<3> vertex_on_line(Words& words, std::string_view name) {
+    Point<3> vertex;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string_view digits = words.next_on_line();
+        const auto value = number_of(digits);
+        require(value.has_value(), name, ", line ", words.line(), ": coordinate ", "xyz"[axis], " of a vertex is ",
+                quoted(digits), ", which is no number.");
+        vertex[axis] = *value;
+    }
+    return vertex;
+}
+
 inline constexpr std::size_t most_corners = 0x7fffffff / 4;
 
 } // namespace detail
@@ -67,14 +80,7 @@ inline constexpr std::size_t most_corners = 0x7fffffff / 4;
         std::size_t known = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
             if (word == "vertex") {
-                Point<3>& corner = corners[known];
-                for (int axis = 0; axis < 3; ++axis) {
-                    const std::string_view digits = words.next_on_line();
-                    const auto value = detail::number_of(digits);
-                    require(value.has_value(), name, ", line ", words.line(), ": coordinate ", "xyz"[axis],
-                            " of a vertex is ", detail::quoted(digits), ", which is no number.");
-                    corner[axis] = unit * *value;
-                }
+                corners[known] = unit * detail::vertex_on_line(words, name);
                 if (++known == 3) {
                     detail::add_triangle(mesh, corners);
                     known = 0;
@@ -102,14 +108,7 @@ inline constexpr std::size_t most_corners = 0x7fffffff / 4;
         if (what == "v") {
             require(mesh.corners.size() < detail::most_corners, name, ", line ", words.line(), ": at most ",
                     detail::most_corners, " vertices are allowed.");
-            Point<3>& corner = mesh.corners.emplace_back();
-            for (int axis = 0; axis < 3; ++axis) {
-                const std::string_view digits = words.next_on_line();
-                const auto value = detail::number_of(digits);
-                require(value.has_value(), name, ", line ", words.line(), ": coordinate ", "xyz"[axis],
-                        " of a vertex is ", detail::quoted(digits), ", which is no number.");
-                corner[axis] = unit * *value;
-            }
+            mesh.corners.push_back(unit * detail::vertex_on_line(words, name));
         } else if (what == "f") {
             face.clear();
             for (auto word = words.next_on_line(); !word.empty(); word = words.next_on_line()) {

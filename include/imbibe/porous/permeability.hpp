@@ -24,10 +24,10 @@ namespace imbibe {
 struct Permeability {
     /// k_x, k_y, k_z, m^2: a column of the permeability tensor, for a pressure that falls along one axis.
     Point<3> column;
-    double error =
-        0; ///< of the component along that axis, m^2: what a finer spacing is expected to change; 0: not known
-    double tortuosity =
-        1;               ///< mean of |u| over the mean of u along the axis: how much longer than straight the ways are
+    /// Of the component along that axis, m^2: what a finer spacing is expected to change; 0: not known.
+    double error = 0;
+    /// Mean of |u| over the mean of u along the axis: how much longer than straight the ways are.
+    double tortuosity = 1;
     double porosity = 0; ///< part of the particles that are liquid, 0 to 1
     double left = 0;     ///< by how much of itself k may still change in time: what the extrapolation added
     long long steps = 0; ///< time steps that it took
@@ -60,9 +60,8 @@ struct Contact : Coupling<Liquid, Grains, Into<Grains, PressureExtrapolation<Qui
 /// along `axis`: k_i = mu u_i/f, m^2, with the mean velocity u over the whole cell (Darcy) and the driving force f
 /// per volume.
 ///
-/// The flow is slow: inertia plays no part, k does not depend on liquid or force, and the particles move by less than a
-/// tenth of a spacing. It starts from rest; its mean comes near its end like exp(-t/T), and from three times the end is
-/// extrapolated (Aitken).
+/// The flow is slow, so that k depends on neither liquid nor force. It starts from rest; its mean comes near its end
+/// like exp(-t/T), and from three times the end is extrapolated (Aitken).
 ///
 /// Not for fast flow in wide pores (Forchheimer), and not where pores are narrower than 4 spacings. k comes out too
 /// large, by an error that falls with the square of the spacing: take permeability() of a shape, which corrects that.
@@ -101,8 +100,8 @@ template <class Real = float>
         return result;
     };
     const Point<3> size = cell.size() / spacing;
-    // Sound is as fast as makes its step as long as that of viscosity. The force is such that the pressure compresses
-    // the liquid by 1e-3: enough for float, and slow enough that particles stay where they are.
+    // Sound is three times the viscosity over the spacing: its step is then not much shorter than that of viscosity.
+    // The force is such that the pressure compresses the liquid by 1e-3 from end to end, which float still resolves.
     const double sound = 3, force = 1e-3 * sound * sound / size[axis];
     Settings<3> settings{
         .support_radius = 3, .cfl = 0.6, .max_time_step = 1, .search_interval = 20, .threads = run.threads};

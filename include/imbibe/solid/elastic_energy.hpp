@@ -7,8 +7,8 @@
 namespace imbibe {
 
 /// s V psi(F) of a particle, J, with its stress share s (ReferenceCorrection), its stress-free volume V and the energy
-/// density psi of the law; 0 for a particle
-/// whose deformation was not computed yet. A reduction of the laws of total-Lagrangian solids.
+/// density psi of the law; 0 for a particle whose deformation was not computed yet. A reduction of the laws of
+/// total-Lagrangian solids.
 ///
 /// Not with the energy of HourglassControl, which is its own.
 ///

@@ -90,7 +90,9 @@ struct SurfaceSteps {
 /// gradients G_ab = V_b L_a grad_a W_ab of ReferenceCorrection over 2 spacings, and that of b itself. A stress that is
 /// constant pushes a particle by t_b: nowhere inside and along the normal at a face, if it is to be at rest. It is 0 for
 /// faces along a lattice, 0.03 to 0.08 for fitted particles, 0.13, 0.25, 0.35, 0.34 for faces at 3, 10, 17, 30 degrees
-/// to a lattice. Of a wall, only what is nearer to a fluid than 2 spacings is looked at.
+/// to a lattice (beams 6 particles thick; tests/solver/test_set_up.cpp has the bound between). Of a wall, only what is
+/// nearer to a fluid than 2 spacings is looked at. 0, too, where less than a fifth of the surface is smooth, or fewer
+/// than 30 particles of it.
 SurfaceSteps surface_steps(const Outline& phase, const Outline* fluid, const OutlineOfScene& scene);
 /// A sentence if the surface of a solid or wall runs in steps, or an empty one. @param fluid of a wall
 std::string warning_of_steps(const Outline& phase, const Outline* fluid, const OutlineOfScene& scene);

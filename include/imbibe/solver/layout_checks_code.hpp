@@ -162,7 +162,7 @@ IMBIBE_CODE SurfaceSteps surface_steps(const Outline& phase, const Outline* flui
     SurfaceSteps steps;
     steps.of = std::count(outer.begin(), outer.end(), char(1));
     steps.looked_at = std::count(smooth.begin(), smooth.end(), char(1));
-    if (steps.looked_at == 0)
+    if (steps.looked_at < 30 || 5 * steps.looked_at < steps.of)
         return steps;
 
     // L of all, from moments over 2 spacings, and with it t_b where the surface is smooth.
@@ -199,7 +199,7 @@ IMBIBE_CODE SurfaceSteps surface_steps(const Outline& phase, const Outline* flui
 
 IMBIBE_CODE std::string warning_of_steps(const Outline& phase, const Outline* fluid, const OutlineOfScene& scene) {
     const SurfaceSteps steps = surface_steps(phase, fluid, scene);
-    if (steps.looked_at < 30 || 5 * steps.looked_at < steps.of || steps.unevenness < 0.12)
+    if (steps.unevenness < 0.12)
         return {};
     return text(phase.name, ": its surface runs in steps across the lattice of its particles, such as at ",
                 scene.text_of(steps.place), " (unevenness ", steps.unevenness, "; 0.12 is allowed). ",

@@ -70,13 +70,11 @@ struct NoSlipVelocity {
 /// a plane face for the first two layers of the wall (0.50 to 0.58 spacings with supports of 2 to 3), linear in D. v_a
 /// itself where there is no fluid.
 ///
-/// In place of NoSlipVelocity, which has 1 for D/d - 1: right for the first layer, a third of it for the second.
-/// Between plates the two are alike. In a pipe of 8, 12, 16 and 24 fitted particles across, Poiseuille flow
-/// is 4.8, 2.5, 0.7 and 0.5 % too fast with this, 11, 6, 3.3 and 2.0 % with NoSlipVelocity
+/// In place of NoSlipVelocity, which has 1 for D/d - 1: right for the first layer, a third of it for the second. For
+/// curved walls of fitted particles: Poiseuille flow in a pipe of 12 across is 2.5 % too fast
 /// (tests/porous/test_permeability.cpp).
 ///
-/// Not where the fluid is a thin film or spray: D is
-/// then how far single particles are.
+/// Not where the fluid is a thin film or spray: D is then how far single particles are.
 ///
 /// Source: the straight line: Morris, Fox and Zhu (1997), section 3.5, Eq. (26), with distances to a known surface;
 /// here the distances are kernel averages.

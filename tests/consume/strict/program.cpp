@@ -3,6 +3,7 @@
 
 #include <imbibe/accuracy/study.hpp>
 #include <imbibe/imbibe.hpp>
+#include <imbibe/input/input.hpp>
 #include <imbibe/porous/permeability.hpp>
 #include <imbibe/presets/sponge.hpp>
 #include <imbibe/presets/sponge_accuracy.hpp>
