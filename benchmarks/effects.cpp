@@ -98,6 +98,9 @@ using Riemann =
 struct FloorExtrapolation : Extrapolation<Floor> {};
 struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
 struct FloorLinearNoSlip : Extrapolation<Floor, Into<Floor, LinearNoSlipVelocity<K>>, NoSlipViscosity<K>> {};
+struct FloorNoSlipContinuity : Contact<Floor, Into<Floor, PressureExtrapolation<K>>, VolumePressure<K>,
+                                       Into<Water, NoSlipContinuity<K>>, Into<Floor, NoSlipVelocity<K>>,
+                                       NoSlipViscosity<K>> {};
 struct FloorLoaded : Extrapolation<Floor, Into<Floor, ReactionForce<VolumePressure<K>>>> {};
 struct FloorRiemann : Riemann<Floor> {};
 struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};
@@ -284,6 +287,9 @@ Cases all_cases() {
                              "walls that a viscous fluid sticks to");
     add_contact<FloorLinearNoSlip>(cases, "the same as the first with `LinearNoSlipVelocity` and `NoSlipViscosity`",
                                    "curved walls that a viscous fluid sticks to");
+    add_contact<FloorNoSlipContinuity>(cases,
+                                       "the same with `NoSlipVelocity`, `NoSlipViscosity` and `NoSlipContinuity`",
+                                       "slow flow around grains and fibres");
     add_contact<FloorLoaded>(cases, "the same as the first with `ReactionForce`",
                              "the force on a wall, to be looked at");
     add_contact<FloorRiemann>(cases, "`RiemannWallNormal`, `RiemannWallPressure`, `RiemannWallContinuity`",

@@ -16,6 +16,7 @@
 #include <cases/validation/elastic_baffle.hpp>
 #include <cases/validation/elastic_gate.hpp>
 #include <cases/validation/elliptic_drop.hpp>
+#include <cases/validation/fitted_cylinders.hpp>
 #include <cases/validation/kolmogorov.hpp>
 #include <cases/validation/laws_of_flow.hpp>
 #include <cases/validation/one_pore.hpp>
@@ -62,6 +63,7 @@ int main(int argc, char** argv) {
         {"rising-bubble", "particles over the width", {32, 64}, rising_bubble::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
+        {"fitted-cylinders", "particles along the cell", {25, 50}, fitted_cylinders::measure},
         {"spheres", "particles along the cell", {16, 24, 32}, spheres::measure},
         {"porous-spheres", "particles along the cell", {16, 24}, porous_spheres::measure},
         {"pipe", "particles across the pipe", {12, 24, 48}, pipe::measure},

@@ -52,14 +52,15 @@ struct Known {
     double fraction, drag;
     const char* name;
 };
+inline constexpr Known known[]{{.05, 15.56, "c = 0.05"},
+                                {.10, 24.83, "c = 0.10"},
+                                {.20, 51.53, "c = 0.20"},
+                                {.30, 102.90, "c = 0.30"},
+                                {.04 * std::numbers::pi, 30.359, "radius 0.2 L"}};
+
 inline std::vector<Measured> measure(int across) {
-    const Known arrays[]{{.05, 15.56, "c = 0.05"},
-                         {.10, 24.83, "c = 0.10"},
-                         {.20, 51.53, "c = 0.20"},
-                         {.30, 102.90, "c = 0.30"},
-                         {.04 * std::numbers::pi, 30.359, "radius 0.2 L"}};
     std::vector<Measured> found;
-    for (const Known& a : arrays)
+    for (const Known& a : known)
         found.push_back({sph::text("F/(mu U), ", a.name), "3 % at 50", flow(across, a.fraction).drag, a.drag});
     found.push_back({"F/(mu U), c = 0.20, driven at 45 degrees", "3 % at 50", flow(across, .20, 45).drag, 51.53});
     return found;

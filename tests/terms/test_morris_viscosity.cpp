@@ -1,6 +1,7 @@
 // MorrisViscosity and the no-slip wall: the Laplacian of a velocity, balance across phases, the reflected velocity.
 #include "cloud.hpp"
 
+#include <imbibe/fluid/continuity.hpp>
 #include <imbibe/kernels/cubic_spline.hpp>
 #include <imbibe/wall/no_slip.hpp>
 
@@ -188,6 +189,21 @@ TEST_CASE("NoSlipVelocity reflects the fluid's velocity about the wall's") {
 TEST_CASE("LinearNoSlipVelocity continues a sheared fluid in a straight line through the wall's velocity") {
     check_straight_line<2>();
     check_straight_line<3>();
+}
+
+TEST_CASE("NoSlipContinuity is VolumeContinuity with the velocity that the wall shows") {
+    auto a = block<3>(oil(), 1, 0).front();
+    ColumnVector<3> below(0.3e-3, -0.9e-3, 0.2e-3);
+    auto shows = block<3>(bed(), 1, 0, 1, below).front(), moves = shows;
+    const ColumnVector<3> w(1, -2, 3);
+    a.set(velocity, vec<3>(ColumnVector<3>(0.5, 0.1, -0.2)));
+    shows.set(velocity, vec<3>(ColumnVector<3>(7, 8, 9))).set(no_slip_velocity, vec<3>(w)).set(volume, 2e-9);
+    moves.set(velocity, vec<3>(w)).set(volume, 2e-9);
+    using Shown = NoSlipContinuity<>::Sweep;
+    using Own = VolumeContinuity<WendlandC2>::Sweep;
+    const double rate = plain(Own{}(a, moves, geometry<Own, 3>(a, moves)));
+    CHECK(std::abs(rate) > 0);
+    CHECK(plain(Shown{}(a, shows, geometry<Shown, 3>(a, shows))) == Approx(rate).epsilon(1e-14));
 }
 
 TEST_CASE("the limit of MorrisViscosity is 0.055 H^2/nu, and infinite without viscosity") {

@@ -34,6 +34,7 @@ void check_sides() {
           "velocity no_slip_weight no_slip_sum no_slip_offset |");
     CHECK(sides<NoSlipViscosity<>, dim, Water, Bed>() == "density velocity | mass density no_slip_velocity");
     CHECK(sides<NoSlipViscosity<>, dim, Sponge, Water>() == "density no_slip_velocity | mass density velocity");
+    CHECK(sides<NoSlipContinuity<>::Sweep, dim, Water, Bed>() == "density velocity | volume no_slip_velocity");
 
     CHECK(sides<Displacement, dim, Sponge>() == "position reference_position |");
     CHECK(sides<ReferenceCorrection<>::Moments, dim, Sponge>() == "| mass");

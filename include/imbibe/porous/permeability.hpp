@@ -51,8 +51,8 @@ struct Liquid : Fluid<LinearState, VolumeContinuity<QuinticSpline>, VolumePressu
 struct Grains : Wall<> {};
 /// The liquid sticks to the body.
 struct Contact : Coupling<Liquid, Grains, Into<Grains, PressureExtrapolation<QuinticSpline>>,
-                          VolumePressure<QuinticSpline>, Into<Liquid, VolumeContinuity<QuinticSpline>>,
-                          Into<Grains, LinearNoSlipVelocity<QuinticSpline>>, NoSlipViscosity<QuinticSpline>> {};
+                          VolumePressure<QuinticSpline>, Into<Liquid, NoSlipContinuity<QuinticSpline>>,
+                          Into<Grains, NoSlipVelocity<QuinticSpline>>, NoSlipViscosity<QuinticSpline>> {};
 
 } // namespace porous
 

@@ -1,6 +1,7 @@
 // Bodies that do not lie along the lattice, against what one expects of them at any angle.
 #include <catch_shim.hpp>
 
+#include <cases/validation/fitted_cylinders.hpp>
 #include <cases/validation/ramp.hpp>
 #include <cases/validation/turned_beam.hpp>
 
@@ -18,6 +19,14 @@ TEST_CASE("A beam of fitted particles bends at an angle as it does along the lat
 TEST_CASE("Water slips down a ramp of fitted particles as fast as it falls", "[validation][fluid]") {
     CHECK(validation::ramp::speed(10, 5, false) == Approx(1).epsilon(0.02));
     CHECK(validation::ramp::speed(10, 5, true) < 0.6);
+}
+
+TEST_CASE("The drag of cylinders of fitted particles is known within 2 % where the walls' shown velocity counts",
+          "[validation][fluid]") {
+    using namespace validation::fitted_cylinders;
+    CHECK(drag(25, 0.2) == Approx(51.53).epsilon(0.02)); // Sangani and Acrivos (1982)
+    CHECK(drag(25, 0.3) == Approx(102.9).epsilon(0.02));
+    CHECK(drag<OwnVelocity>(25, 0.3) < 0.96 * 102.9);
 }
 
 } // namespace reference_bodies_test
