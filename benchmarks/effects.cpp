@@ -98,9 +98,9 @@ using Riemann =
 struct FloorExtrapolation : Extrapolation<Floor> {};
 struct FloorNoSlip : Extrapolation<Floor, Into<Floor, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
 struct FloorLinearNoSlip : Extrapolation<Floor, Into<Floor, LinearNoSlipVelocity<K>>, NoSlipViscosity<K>> {};
-struct FloorNoSlipContinuity : Contact<Floor, Into<Floor, PressureExtrapolation<K>>, VolumePressure<K>,
-                                       Into<Water, NoSlipContinuity<K>>, Into<Floor, NoSlipVelocity<K>>,
-                                       NoSlipViscosity<K>> {};
+struct FloorNoSlipContinuity
+    : Contact<Floor, Into<Floor, PressureExtrapolation<K>>, VolumePressure<K>, Into<Water, NoSlipContinuity<K>>,
+              Into<Floor, NoSlipVelocity<K>>, NoSlipViscosity<K>> {};
 struct FloorLoaded : Extrapolation<Floor, Into<Floor, ReactionForce<VolumePressure<K>>>> {};
 struct FloorRiemann : Riemann<Floor> {};
 struct FloorRepulsion : Contact<Floor, KernelRepulsion<>> {};

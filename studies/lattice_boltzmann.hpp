@@ -11,7 +11,7 @@ namespace study {
 
 /// A periodic block of voxels, x fastest.
 struct Voxelised {
-    std::array<int, 3> size;      ///< voxels along x, y, z
+    std::array<int, 3> size;        ///< voxels along x, y, z
     std::vector<std::uint8_t> open; ///< 1: pore, 0: solid; size[0]*size[1]*size[2]
 };
 
@@ -29,10 +29,10 @@ struct LatticeBoltzmannFlow {
 /// Source: Ginzburg, Verhaeghe and d'Humieres (2008), two relaxation times; Guo, Zheng and Shi (2002), the force.
 inline LatticeBoltzmannFlow lattice_boltzmann(const Voxelised& image, int axis, double left = 2e-3) {
     constexpr int n = 19;
-    static constexpr int velocity[n][3] = {{0, 0, 0},  {1, 0, 0},   {-1, 0, 0}, {0, 1, 0},  {0, -1, 0},
-                                           {0, 0, 1},  {0, 0, -1},  {1, 1, 0},  {-1, -1, 0}, {1, -1, 0},
-                                           {-1, 1, 0}, {1, 0, 1},   {-1, 0, -1}, {1, 0, -1}, {-1, 0, 1},
-                                           {0, 1, 1},  {0, -1, -1}, {0, 1, -1}, {0, -1, 1}};
+    static constexpr int velocity[n][3] = {{0, 0, 0},  {1, 0, 0},   {-1, 0, 0},  {0, 1, 0},   {0, -1, 0},
+                                           {0, 0, 1},  {0, 0, -1},  {1, 1, 0},   {-1, -1, 0}, {1, -1, 0},
+                                           {-1, 1, 0}, {1, 0, 1},   {-1, 0, -1}, {1, 0, -1},  {-1, 0, 1},
+                                           {0, 1, 1},  {0, -1, -1}, {0, 1, -1},  {0, -1, 1}};
     const auto opposite = [](int q) { return q == 0 ? 0 : (q - 1) / 2 * 2 + (q % 2 == 1 ? 2 : 1); };
     float weight[n];
     for (int q = 0; q < n; ++q)
@@ -55,7 +55,8 @@ inline LatticeBoltzmannFlow lattice_boltzmann(const Voxelised& image, int axis, 
             const int* c = velocity[q];
             const int from = (x - c[0] + X) % X + X * ((y - c[1] + Y) % Y + Y * ((z - c[2] + Z) % Z));
             const int other = cell_of[static_cast<std::size_t>(from)];
-            source[static_cast<std::size_t>(n * k + q)] = other < 0 ? n * k + opposite(q) : n * std::ptrdiff_t{other} + q;
+            source[static_cast<std::size_t>(n * k + q)] =
+                other < 0 ? n * k + opposite(q) : n * std::ptrdiff_t{other} + q;
         }
     }
 
@@ -102,7 +103,7 @@ inline LatticeBoltzmannFlow lattice_boltzmann(const Voxelised& image, int axis, 
         if (count % 2 == 0 || count < 7)
             continue;
         const double a = means[0], b = means[count / 2], c = means[count - 1], ratio = (c - b) / (b - a);
-        const double missing = ratio < 0.95 ? (c - b) * ratio / (1 - ratio) : c;
+        const double missing = b > a && ratio < 0.95 ? (c - b) * ratio / (1 - ratio) : b > a ? c : 0;
         found.permeability = c + missing;
         if (std::abs(missing) < left * c || found.steps >= 100000)
             return found;

@@ -3,6 +3,7 @@
 
 #include <imbibe/geometry/fitted.hpp>
 #include <imbibe/geometry/image_report.hpp>
+#include <imbibe/geometry/particle_image.hpp>
 #include <imbibe/geometry/sphere.hpp>
 
 #include <limits>
@@ -83,6 +84,38 @@ TEST_CASE("Image: beyond its sides is nothing, solid, or the image again") {
     CHECK_FALSE(mirrored.contains(far_left));
     CHECK(mirrored.contains(right));
     CHECK_FALSE(mirrored.contains({17e-4, 1e-4, 1e-4})); // beyond the bounds
+    how.beyond = Beyond::repeated;
+    const ImageBody repeated(image, how);
+    CHECK_FALSE(repeated.contains({-1e-4, 1e-4, 1e-4}));
+    CHECK(repeated.contains({-7e-4, 1e-4, 1e-4}));
+    CHECK(repeated.contains({9e-4, 1e-4, 1e-4}));
+    // Between the last voxel and the first of the next the value is linear, too.
+    CHECK(repeated.contains({-0.01e-4, 1e-4, 1e-4}) == repeated.contains({7.99e-4, 1e-4, 1e-4}));
+    CHECK(repeated.contains({0.05e-4, 1e-4, 1e-4}));
+    CHECK_FALSE(repeated.contains({7.6e-4, 1e-4, 1e-4}));
+}
+
+TEST_CASE("Image: of particles it has their volume and their surface, also across the cell's sides") {
+    const Box<3> cell({0, 0, 0}, {24, 24, 20});
+    const Sphere<3> middle({0, 12, 10}, 7); // half of it on either side of x = 0
+    std::vector<Point<3>> points = fitted(middle, 1);
+    const auto body = body_of_particles(points, cell, 1);
+    CHECK(1 - body.porosity() == Approx(static_cast<double>(points.size()) / cell.volume()).epsilon(1e-3));
+    int wrong = 0, asked = 0;
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+        const Point<3> x = even_point(cell, i);
+        const Point<3> nearest = x[0] > 12 ? Point<3>(x[0] - 24, x[1], x[2]) : x;
+        if (std::abs(middle.distance(nearest)) < 0.3)
+            continue;
+        ++asked;
+        wrong += body.contains(x) != middle.contains(nearest) ? 1 : 0;
+    }
+    CHECK(asked > 3000);
+    CHECK(wrong == 0);
+    CHECK_THROWS_WITH(body_of_particles({}, cell, 1), contains("0 particles"));
+    CHECK_THROWS_WITH(body_of_particles(points, cell, 10), contains("at least 4"));
+    points[0][1] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH(body_of_particles(points, cell, 1), contains("must be finite"));
 }
 
 TEST_CASE("Image: a part of it keeps its values, and a part that is not there is refused") {

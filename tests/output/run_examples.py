@@ -29,6 +29,7 @@ EXAMPLES = [
      (r"(\d+) % of the pores are full", 60, 95)),
     ("oil_in_sponge", ["20", "60", "0.15"], "out-oil-in-sponge/oil.pvd", None, (r"(\d+) % of the oil is out", 55, 85)),
     ("porous", ["--across", "24"], None, None, (r"along y: k = ([\d.]+)e-09", 3.4, 3.9)),
+    ("squeezed_foam", ["0.3", "16"], None, None, (r"strain 0.250: .*k along ([\d.]+)e-09", 1.0, 5.0)),
 ]
 
 # (example, arguments, what it says before it has begun)

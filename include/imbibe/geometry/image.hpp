@@ -81,9 +81,10 @@ enum class SolidIs {
 
 /// What is beyond the sides of an image.
 enum class Beyond {
-    open,    ///< nothing
-    solid,   ///< solid
-    mirrored ///< the image again, turned round at its sides
+    open,     ///< nothing
+    solid,    ///< solid
+    mirrored, ///< the image again, turned round at its sides
+    repeated  ///< the image again, as it is
 };
 
 /// How an image becomes a body. Sides, threshold and which side of it is solid have no default: nothing in a file says
@@ -133,6 +134,10 @@ public:
             const double length = image_->size[static_cast<std::size_t>(axis)];
             if (at[axis] >= 0 && at[axis] <= length)
                 continue;
+            if (voxels_.beyond == Beyond::repeated) {
+                at[axis] -= length * std::floor(at[axis] / length);
+                continue;
+            }
             if (voxels_.beyond != Beyond::mirrored)
                 return voxels_.beyond == Beyond::solid;
             const double turn = std::fmod(std::abs(at[axis]), 2 * length);
@@ -183,9 +188,17 @@ private:
         Point<3> part;
         for (int axis = 0; axis < 3; ++axis) {
             const auto k = static_cast<std::size_t>(axis);
-            const double from_centre = std::clamp(at[axis] - 0.5, 0.0, image_->size[k] - 1.0);
-            low[k] = std::min(static_cast<int>(from_centre), image_->size[k] - 1);
-            high[k] = std::min(low[k] + 1, image_->size[k] - 1);
+            const int last = image_->size[k] - 1;
+            if (voxels_.beyond == Beyond::repeated) {
+                const double below = std::floor(at[axis] - 0.5);
+                part[axis] = at[axis] - 0.5 - below;
+                low[k] = below < 0 || below > last ? last : static_cast<int>(below);
+                high[k] = low[k] == last ? 0 : low[k] + 1;
+                continue;
+            }
+            const double from_centre = std::clamp(at[axis] - 0.5, 0.0, static_cast<double>(last));
+            low[k] = std::min(static_cast<int>(from_centre), last);
+            high[k] = std::min(low[k] + 1, last);
             part[axis] = from_centre - low[k];
         }
         double sum = 0;

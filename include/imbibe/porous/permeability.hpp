@@ -7,6 +7,7 @@
 #include <imbibe/geometry/combine.hpp>
 #include <imbibe/geometry/fitted.hpp>
 #include <imbibe/kernels/quintic_spline.hpp>
+#include <imbibe/porous/cell.hpp>
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/state/linear_state.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
@@ -103,8 +104,12 @@ template <class Real = float>
     // Sound is three times the viscosity over the spacing: its step is then not much shorter than that of viscosity.
     // The force is such that the pressure compresses the liquid by 1e-3 from end to end, which float still resolves.
     const double sound = 3, force = 1e-3 * sound * sound / size[axis];
-    Settings<3> settings{
-        .support_radius = 3, .cfl = 0.6, .max_time_step = 1, .search_interval = 20, .threads = run.threads};
+    Settings<3> settings{.support_radius = 3,
+                         .cfl = 0.6,
+                         .max_time_step = 1,
+                         .search_interval = 20,
+                         .threads = run.threads,
+                         .on_warning = {}};
     for (int k = 0; k < 3; ++k) {
         settings.periodic_length[static_cast<std::size_t>(k)] = size[k];
         settings.gravity[static_cast<std::size_t>(k)] = k == axis ? force : 0;
@@ -178,29 +183,13 @@ template <class Real = float, AnyShape S>
 requires(shape_dimension<S> == 3) [[nodiscard]] Permeability
     permeability(const S& shape, double spacing, int axis, const PermeabilityRun& run = {}) {
     const Box<3> cell = shape.bounds();
-    detail::require_positive("permeability", "spacing", spacing, "Give the distance between particles in metres.");
-    for (int k = 0; k < 3; ++k) {
-        const double number = cell.size()[k] / spacing;
-        require(std::abs(number - std::round(number)) < 1e-3, "permeability: side ", "xyz"[k], " of the cell is ",
-                number, " spacings of ", spacing, " m long; it must be a whole number of them. Take ",
-                cell.size()[k] / std::round(std::max(number, 1.0)), " m.");
-    }
+    detail::require_whole_spacings("permeability", cell, spacing);
     const auto at = [&](double of) {
         const auto parts = fitted_together(of, cell.lower(), 0, shape, cell - shape);
         return permeability_of_particles<Real>(parts[1], parts[0], cell, of, axis, run);
     };
     Permeability found = at(spacing);
-    // The spacing nearest to 1.5 times this one that fits into all sides.
-    double wide = 0;
-    const double shortest = cell.size().minCoeff();
-    for (double number = 4; number < 0.9 * shortest / spacing; ++number) {
-        const double trial = shortest / number;
-        const Point<3> cells = cell.size() / trial;
-        if ((cells - cells.array().round().matrix()).cwiseAbs().maxCoeff() < 1e-6 &&
-            std::abs(trial / spacing - 1.5) < std::abs(wide / spacing - 1.5))
-            wide = trial;
-    }
-    if (wide > 1.15 * spacing && wide < 2.5 * spacing) {
+    if (const double wide = detail::wider_spacing(cell, spacing); wide > 0) {
         const Point<3> less = (at(wide).column - found.column) / (sq(wide / spacing) - 1);
         found.error = std::abs(less[axis]);
         if (found.error < 0.5 * std::abs(found.column[axis])) // else the pores are not resolved, and nothing is gained
