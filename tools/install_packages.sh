@@ -15,7 +15,7 @@ set -eu
 packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy python3-matplotlib"
 for group in "$@"; do
     case $group in
-        tests) packages="$packages python3-vtk9 pkg-config" ;;
+        tests) packages="$packages python3-vtk9 pkg-config zlib1g-dev libtiff-dev" ;;
         clang) packages="$packages clang libomp-dev libc++-dev libc++abi-dev" ;;
         benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind python3-psutil" ;;
         docs) packages="$packages doxygen" ;;

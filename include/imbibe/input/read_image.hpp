@@ -279,7 +279,8 @@ inline std::string_view next_line(std::string_view& rest) {
         } else if (key == "encoding") {
             raw = value == "raw";
             require(raw, name, ": the encoding is ", detail::quoted(value),
-                    "; raw is read. Convert the file (unu save -f nrrd -e raw), or unpack it.");
+                    "; raw is read. Read gzip with read_compressed_image(), or convert the file (unu save -f nrrd -e "
+                    "raw).");
         } else if (key == "spacings") {
             const auto numbers = detail::numbers_in(value);
             for (std::size_t k = 0; k < 3 && numbers.size() == 3; ++k)
@@ -330,7 +331,9 @@ struct MetaImageHead {
         } else if (key == "ElementByteOrderMSB" || key == "BinaryDataByteOrderMSB")
             head.little = !yes;
         else if (key == "CompressedData")
-            require(!yes, name, ": the voxels are compressed. Save the image without compression.");
+            require(
+                !yes, name,
+                ": the voxels are compressed. Read it with read_compressed_image(), or save it without compression.");
         else if (key == "HeaderSize") {
             const auto skip = detail::whole_number_of(value);
             require(skip && *skip >= -1, name, ": HeaderSize is ", detail::quoted(value), "; it must be -1 or more.");
@@ -380,7 +383,8 @@ struct MetaImageHead {
 /// @throws Error where it is no such file
 [[nodiscard]] inline GreyImage parse_nifti(std::string_view bytes, std::string_view name = "NIfTI file") {
     require(bytes.size() >= 352, name, ": the file is ", bytes.size(), " bytes long; the head alone has 352.");
-    require(bytes.substr(0, 2) != "\x1f\x8b", name, ": the file is compressed (gzip). Unpack it first: gunzip.");
+    require(bytes.substr(0, 2) != "\x1f\x8b", name,
+            ": the file is compressed (gzip). Read it with read_compressed_image(), or unpack it: gunzip.");
     const bool little = detail::number_at<std::int32_t>(bytes, 0, true) == 348;
     require(little || detail::number_at<std::int32_t>(bytes, 0, false) == 348, name,
             ": the file does not begin with 348, as NIfTI-1 does.");
@@ -440,7 +444,7 @@ struct MetaImageHead {
         return detail::number_at<std::uint32_t>(bytes, at, little);
     };
     require(short_at(2) == 42, name, ": the file is ", short_at(2) == 43 ? "a BigTIFF" : "of another kind",
-            "; plain TIFF is read.");
+            "; plain TIFF is read here, every TIFF with read_tiff().");
     GreyImage image;
     for (std::size_t page = long_at(4); page != 0;) {
         std::uint32_t width = 0, height = 0, bits = 1, compression = 1, white_is_zero = 0, per_pixel = 1, format = 1;
@@ -456,7 +460,8 @@ struct MetaImageHead {
                 const std::size_t from = number * each <= 4 ? entry + 8 : long_at(entry + 8);
                 return type == 3 ? short_at(from + each * which) : long_at(from + each * which);
             };
-            require(tag != 322, name, ": the pages are in tiles; strips are read. Save it without tiles.");
+            require(tag != 322, name,
+                    ": the pages are in tiles; strips are read. Read it with read_tiff(), or save it without tiles.");
             if (tag == 256)
                 width = value(0);
             else if (tag == 257)
@@ -480,7 +485,7 @@ struct MetaImageHead {
             }
         }
         require(compression == 1, name, ": the pages are compressed (kind ", compression,
-                "). Save the image without compression.");
+                "). Read it with read_tiff(), or save the image without compression.");
         require(per_pixel == 1, name, ": a voxel has ", per_pixel, " numbers (colours); it must have 1.");
         std::optional<SampleType> type;
         if (bits == 8 || bits == 1)
@@ -546,7 +551,8 @@ struct MetaImageHead {
     const auto [file, file_at] = tag_from("<VTKFile", 0);
     require(attribute(file, "type") == "ImageData", name, ": the file holds ", detail::quoted(attribute(file, "type")),
             "; it must hold ImageData.");
-    require(attribute(file, "compressor").empty(), name, ": the voxels are compressed. Save it without compression.");
+    require(attribute(file, "compressor").empty(), name,
+            ": the voxels are compressed. Read it with read_compressed_image(), or save it without compression.");
     const bool little = attribute(file, "byte_order") != "BigEndian", wide = attribute(file, "header_type") == "UInt64";
     const auto [head, head_at] = tag_from("<ImageData", file_at);
     const auto extent = detail::numbers_in(attribute(head, "WholeExtent"));
