@@ -3,7 +3,8 @@
 // After Sangani and Acrivos (1982): a square array of cylinders, L apart, that fill a share c of the plane. The mean
 // flow U, with the cylinders counted in, meets the drag F = rho g L^2 of each of them; for c = 0.05, 0.1, 0.2, 0.3 they
 // have F/(mu U) = 15.56, 24.83, 51.53, 102.90, and the permeability is K = mu U/(rho g) = L^2/(F/(mu U)). The plane is
-// periodic, so four cylinders stand for all. Which share the particles of the cylinders really take is printed.
+// periodic, so four cylinders stand for all. Particles of glycerine and cylinders are packed together and follow the
+// surface; the continuity equation sees the velocity that the cylinders show (NoSlipContinuity).
 //
 //   build/cylinders                     then open out-cylinders/glycerine.pvd in ParaView
 //   build/cylinders 0.3                 with cylinders that fill 0.3 of the plane instead of 0.2
@@ -23,7 +24,7 @@ struct Glycerine
     : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>> {};
 struct Cylinders : sph::Wall<> {};
 struct Contact : sph::Coupling<Glycerine, Cylinders, sph::Into<Cylinders, sph::PressureExtrapolation<K>>,
-                               sph::VolumePressure<K>, sph::Into<Glycerine, sph::VolumeContinuity<K>>,
+                               sph::VolumePressure<K>, sph::Into<Glycerine, sph::NoSlipContinuity<K>>,
                                sph::Into<Cylinders, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Glycerine, Cylinders, Contact>;
 
@@ -44,8 +45,9 @@ int main(int, char** argv) {
         const auto disc = [&](double x, double y) { return sph::Sphere<2>{{x * L, y * L}, radius}; };
         const auto discs = disc(0.5, 0.5) | disc(1.5, 0.5) | disc(0.5, 1.5) | disc(1.5, 1.5);
         const sph::Box<2> plane({0, 0}, {2 * L, 2 * L});
-        const auto glycerine = scene.add(liquid, sph::fill(plane - discs, dx), dx);
-        const auto cylinders = scene.add(Cylinders{{.density = rho}}, sph::fill(plane & discs, dx, {0, 0}), dx);
+        const auto places = sph::fitted_together(dx, plane.lower(), 0, plane & discs, plane - discs);
+        const auto glycerine = scene.add(liquid, places[1], dx);
+        const auto cylinders = scene.add(Cylinders{{.density = rho}}, places[0], dx);
         const double share = dx * dx * scene[cylinders].size() / plane.volume();
         std::printf("%s", sph::describe(scene).c_str());
 

@@ -35,7 +35,7 @@ int main(int, char** argv) {
         rubber.set(sph::MonaghanViscosityParameters{.alpha = 0.5, .beta = 0.5});
         const auto ring = [&](double x) {
             const sph::Point<2> centre(x, 0);
-            return sph::fill(sph::Sphere<2>{centre, outer} - sph::Sphere<2>{centre, inner}, dx);
+            return sph::fitted(sph::Sphere<2>{centre, outer} - sph::Sphere<2>{centre, inner}, dx);
         };
         scene.add(rubber, ring(-0.0445), dx);
         const auto rings = scene.add(rubber, ring(0.0445), dx);

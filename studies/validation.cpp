@@ -16,6 +16,7 @@
 #include <cases/validation/elastic_baffle.hpp>
 #include <cases/validation/elastic_gate.hpp>
 #include <cases/validation/elliptic_drop.hpp>
+#include <cases/validation/fitted_bodies.hpp>
 #include <cases/validation/fitted_cylinders.hpp>
 #include <cases/validation/kolmogorov.hpp>
 #include <cases/validation/laws_of_flow.hpp>
@@ -79,6 +80,7 @@ int main(int argc, char** argv) {
         {"spinning-plate", "particles along a side", {10, 20}, spinning_plate::measure},
         {"oscillating-plate", "particles over the thickness", {5, 10}, oscillating_plate::measure},
         {"turned-beam", "particles over the thickness", {6, 12}, turned_beam::measure},
+        {"fitted-bodies", "particles over thickness or radius", {6, 12}, fitted_bodies::measure},
         {"ramp", "particles over the depth", {5, 10}, ramp::measure},
         {"turek-hron", "particles over the thickness", {4, 6, 10, 20}, turek_hron::measure},
         {"elastic-baffle", "particles over the baffle's thickness", {3, 6}, elastic_baffle::measure},

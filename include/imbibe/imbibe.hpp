@@ -46,6 +46,7 @@
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/methods/weakly_compressible.hpp>
 #include <imbibe/monitor/displacement.hpp>
+#include <imbibe/monitor/dynamic_relaxation.hpp>
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>

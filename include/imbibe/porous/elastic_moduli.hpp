@@ -5,6 +5,7 @@
 #include <imbibe/geometry/combine.hpp>
 #include <imbibe/geometry/fitted.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/monitor/dynamic_relaxation.hpp>
 #include <imbibe/porous/cell.hpp>
 #include <imbibe/solid/deformation_gradient.hpp>
 #include <imbibe/solid/hourglass_control.hpp>
@@ -155,6 +156,7 @@ struct Strained {
                 sum(i, j) = static_cast<double>(P.col(3 * i + j).sum()) / size.prod();
         return sum;
     };
+    DynamicRelaxation relaxation;
     const int parts = std::max(1, static_cast<int>(std::ceil(gradient.norm() / 0.02)));
     for (int part = 1; part <= parts; ++part) {
         const Eigen::Matrix3d H = gradient * part / parts;
@@ -164,8 +166,7 @@ struct Strained {
             view[position] += (view[position] - view[reference_position]) / (part - 1.0);
         const double enough = part == parts ? run.left : 0.1;
         Eigen::Matrix3d before = mean_stress();
-        auto pull = view[acceleration].eval();
-        double last = scene.time(), rate = 0;
+        double last = scene.time();
         for (int steady = 0, step = 1; steady < 3; ++step) {
             require(found.steps < run.steps, who, ": after ", found.steps,
                     " steps the body is not at rest; its stress "
@@ -173,22 +174,14 @@ struct Strained {
                     100 * found.left,
                     " %. Loose or thin parts swing long: drop loose pieces, "
                     "allow more SkeletonRun::steps or a larger SkeletonRun::left.");
-            const double begin = scene.time();
             scene.step();
             ++found.steps;
-            const double dt = scene.time() - begin;
-            // The frequency of what moves most (Rayleigh's quotient), which is then damped critically.
-            const auto& now = view[acceleration];
-            const double motion = view[velocity].squaredNorm();
-            if (motion > 0)
-                rate = std::sqrt(std::max(-(view[velocity].cwiseProduct(now - pull)).sum() / (dt * motion), 0.0));
-            pull = now;
-            view[velocity] *= std::max((1 - rate * dt) / (1 + rate * dt), 0.0);
+            relaxation(view, scene.time());
             if (step % 10 != 0)
                 continue;
             const Eigen::Matrix3d stress = mean_stress();
             found.left = (stress - before).norm() / std::max(stress.norm(), 1e-30) *
-                         std::max(1.0, 2 / (std::max(rate, 1e-6) * (scene.time() - last)));
+                         std::max(1.0, 2 / (std::max(relaxation.rate(), 1e-6) * (scene.time() - last)));
             steady = found.left < enough ? steady + 1 : 0;
             before = stress;
             last = scene.time();
