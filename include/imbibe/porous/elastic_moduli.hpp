@@ -107,8 +107,9 @@ struct Strained {
 /// The strain is applied in parts of 2 %. After each the body swings, damped critically at the frequency of what moves
 /// most (dynamic relaxation, Underwood 1983), until the stress is steady.
 ///
-/// Parts of the body that meet pass through each other: there is no contact. Loose pieces are not strained. Not for
-/// struts thinner than 4 spacings: they are too soft.
+/// Parts of the body that meet pass through each other: there is no contact. Loose pieces are not strained. A body that
+/// bears less than 1e-5 of what the material would counts as one that bears nothing. Not for struts thinner than 4
+/// spacings: they are too soft.
 /// @param body places of the particles in the stress-free cell, m
 /// @param cell the periodic cell, m
 /// @param spacing of the particles, m
@@ -151,9 +152,10 @@ struct Strained {
     const auto mean_stress = [&] {
         Eigen::Matrix3d sum;
         const auto P = view[first_piola_stress];
+        const auto share = view[stress_share]; // of it that a particle bears
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                sum(i, j) = static_cast<double>(P.col(3 * i + j).sum()) / size.prod();
+                sum(i, j) = P.col(3 * i + j).dot(share.col(0)) / size.prod();
         return sum;
     };
     DynamicRelaxation relaxation;
@@ -169,18 +171,16 @@ struct Strained {
         double last = scene.time();
         for (int steady = 0, step = 1; steady < 3; ++step) {
             require(found.steps < run.steps, who, ": after ", found.steps,
-                    " steps the body is not at rest; its stress "
-                    "still changes by ",
-                    100 * found.left,
-                    " %. Loose or thin parts swing long: drop loose pieces, "
-                    "allow more SkeletonRun::steps or a larger SkeletonRun::left.");
+                    " steps the body is not at rest; its stress still changes by ", 100 * found.left,
+                    " %. Loose or thin parts swing long: drop loose pieces, allow more SkeletonRun::steps or a larger ",
+                    "SkeletonRun::left.");
             scene.step();
             ++found.steps;
             relaxation(view, scene.time());
             if (step % 10 != 0)
                 continue;
             const Eigen::Matrix3d stress = mean_stress();
-            found.left = (stress - before).norm() / std::max(stress.norm(), 1e-30) *
+            found.left = (stress - before).norm() / std::max({stress.norm(), 1e-5 * H.norm(), 1e-30}) *
                          std::max(1.0, 2 / (std::max(relaxation.rate(), 1e-6) * (scene.time() - last)));
             steady = found.left < enough ? steady + 1 : 0;
             before = stress;
