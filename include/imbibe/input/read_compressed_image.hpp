@@ -20,7 +20,7 @@ namespace imbibe {
     z_stream stream{};
     require(inflateInit2(&stream, 15 + 32) == Z_OK, name, ": zlib cannot begin.");
     std::string result;
-    std::string block(std::size_t{1} << 18, '\0');
+    std::string block(std::size_t{1} << 15, '\0');
     int state = Z_OK;
     std::size_t taken = 0;
     while (state == Z_OK) {

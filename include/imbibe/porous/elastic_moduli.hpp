@@ -24,7 +24,7 @@
 
 namespace imbibe {
 
-namespace porous {
+namespace detail {
 
 /// The mean gradient of the displacement, H_ij = d u_i/d X_j, no unit.
 struct MeanStrainParameters {
@@ -76,11 +76,15 @@ struct UnderMeanStrain {
     }
 };
 
+} // namespace detail
+
+namespace porous {
+
 /// The elastic body of a periodic cell; the unit of length is the spacing, of density its own, of stress its Young's
 /// modulus.
-struct Skeleton
-    : Solid<ReferenceCorrection<WendlandC2>, DeformationGradient<WendlandC2>, UnderMeanStrain<CompressibleNeoHookean>,
-            TotalLagrangianForce<WendlandC2>, HourglassControl<WendlandC2>> {};
+struct Skeleton : Solid<ReferenceCorrection<WendlandC2>, DeformationGradient<WendlandC2>,
+                        detail::UnderMeanStrain<CompressibleNeoHookean>, TotalLagrangianForce<WendlandC2>,
+                        HourglassControl<WendlandC2>> {};
 
 } // namespace porous
 
@@ -162,7 +166,7 @@ struct Strained {
     const int parts = std::max(1, static_cast<int>(std::ceil(gradient.norm() / 0.02)));
     for (int part = 1; part <= parts; ++part) {
         const Eigen::Matrix3d H = gradient * part / parts;
-        view.material().set(porous::MeanStrainParameters{H(0, 0), H(0, 1), H(0, 2), H(1, 0), H(1, 1), H(1, 2), H(2, 0),
+        view.material().set(detail::MeanStrainParameters{H(0, 0), H(0, 1), H(0, 2), H(1, 0), H(1, 1), H(1, 2), H(2, 0),
                                                          H(2, 1), H(2, 2)});
         if (part > 1) // what it will be if it grows in proportion
             view[position] += (view[position] - view[reference_position]) / (part - 1.0);
