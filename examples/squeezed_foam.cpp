@@ -15,6 +15,7 @@
 #include <imbibe/porous/elastic_moduli.hpp>
 #include <imbibe/porous/permeability.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -37,6 +38,7 @@ int main(int, char** argv) {
 
         const auto body = sph::fitted_together(dx, box.lower(), 0, foam, box - foam)[0];
         std::ofstream table("squeezed-foam.csv");
+        sph::require(table.good(), "squeezed-foam.csv cannot be written in this folder. Go to one that can be.");
         table << "strain,along z [k_0],along x [k_0],Kozeny and Carman [k_0],stress [E]\n";
         double first = 0, first_porosity = 0;
         for (int step = 0; step <= 4; ++step) {

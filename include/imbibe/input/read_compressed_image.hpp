@@ -43,14 +43,6 @@ namespace imbibe {
 
 namespace detail {
 
-/// The file with its voxels behind the head, unpacked, and `from` in the head replaced by `to`.
-inline std::string with_unpacked_voxels(std::string_view head, std::string_view voxels, std::string_view from,
-                                        std::string_view to, std::string_view name) {
-    std::string result(head);
-    result.replace(result.find(from), from.size(), to);
-    return result + unpack(voxels, name);
-}
-
 inline std::string unpacked_nrrd(std::string_view bytes, std::string_view name) {
     std::string_view rest = bytes;
     std::string_view encoding;
@@ -64,7 +56,9 @@ inline std::string unpacked_nrrd(std::string_view bytes, std::string_view name) 
     const auto parts = split_at(encoding, ":");
     if (!parts || (parts->second != "gzip" && parts->second != "gz"))
         return std::string(bytes);
-    return with_unpacked_voxels(bytes.substr(0, bytes.size() - rest.size()), rest, encoding, "encoding: raw", name);
+    std::string head(bytes, 0, bytes.size() - rest.size());
+    head.replace(head.find(encoding), encoding.size(), "encoding: raw");
+    return head + unpack(rest, name);
 }
 
 // A VTK file has its packed voxels in blocks: their number, the size of each unpacked, that of the last where it is

@@ -18,13 +18,31 @@
 
 namespace imbibe {
 
+namespace detail {
+
+/// Keeps libtiff from printing while it lives; after that it does again what the program had it do.
+class QuietTiff {
+public:
+    QuietTiff() = default;
+    ~QuietTiff() {
+        TIFFSetErrorHandler(errors_);
+        TIFFSetWarningHandler(warnings_);
+    }
+    QuietTiff(const QuietTiff&) = delete;
+    QuietTiff& operator=(const QuietTiff&) = delete;
+
+private:
+    TIFFErrorHandler errors_ = TIFFSetErrorHandler(nullptr), warnings_ = TIFFSetWarningHandler(nullptr);
+};
+
+} // namespace detail
+
 /// The grey values of a TIFF file of one page a slice and one number a voxel, of 1, 8, 16 or 32 bits. Rows run along x,
 /// one below the other along y, pages along z. @param path the file
 /// @throws Error where the file cannot be read, is damaged or of another kind
 [[nodiscard]] inline GreyImage read_tiff(const std::filesystem::path& path) {
     const std::string name = path.string();
-    TIFFSetErrorHandler(nullptr); // what goes wrong is said below
-    TIFFSetWarningHandler(nullptr);
+    const detail::QuietTiff quiet; // what goes wrong is said below
     const std::unique_ptr<TIFF, void (*)(TIFF*)> file(TIFFOpen(name.c_str(), "r"), TIFFClose);
     require(file != nullptr, "read_tiff: ", name, " cannot be opened, or is no TIFF file.");
     TIFF* const tiff = file.get();

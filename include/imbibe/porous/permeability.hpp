@@ -104,6 +104,7 @@ template <class Real = float>
     // Sound is three times the viscosity over the spacing: its step is then not much shorter than that of viscosity.
     // The force is such that the pressure compresses the liquid by 1e-3 from end to end, which float still resolves.
     const double sound = 3, force = 1e-3 * sound * sound / size[axis];
+    // Warnings would be of a scene that the caller does not know; the error says what is wrong with k.
     Settings<3> settings{.support_radius = 3,
                          .cfl = 0.6,
                          .max_time_step = 1,

@@ -1,5 +1,5 @@
-// A wall that water sticks to: the velocity of the wall's particles continued from the fluid, and the viscous force
-// that sees it. Without it in the coupling the wall is free-slip.
+// A wall that water sticks to: the velocity of the wall's particles continued from the fluid, and the viscous force and
+// the continuity equation that see it. Without it in the coupling the wall is free-slip.
 #pragma once
 
 #include <imbibe/core/lattice.hpp>
@@ -179,8 +179,8 @@ struct NoSlipViscosity {
 /// fluid: `Into<Water, NoSlipContinuity<>>`.
 ///
 /// In place of VolumeContinuity where liquid flows slowly around obstacles. With the wall's own velocity the sum takes
-/// the flow beside the wall to be faster than it is, and where that flow changes along the wall it counts compression
-/// that is not there; the drag is then too weak, by 2.5 to 5 % for cylinders 6 to 15 particles thick in a cell of 25,
+/// the flow along the wall for faster than it is, and where that flow changes it counts compression that is not there;
+/// the drag is then too weak, by 2.5 to 5 % for cylinders 6 to 15 particles thick in a cell of 25,
 /// and by 0.2 to 2 % with this (docs/validation.md, fitted-cylinders).
 ///
 /// Not where energy must balance to the last digit: the force of VolumePressure does its work along the wall's own
