@@ -18,6 +18,7 @@
 #include <cases/validation/elliptic_drop.hpp>
 #include <cases/validation/fitted_bodies.hpp>
 #include <cases/validation/fitted_cylinders.hpp>
+#include <cases/validation/heated_cavity.hpp>
 #include <cases/validation/kolmogorov.hpp>
 #include <cases/validation/laws_of_flow.hpp>
 #include <cases/validation/one_pore.hpp>
@@ -35,6 +36,7 @@
 #include <cases/validation/spinning_plate.hpp>
 #include <cases/validation/square_patch.hpp>
 #include <cases/validation/standing_wave.hpp>
+#include <cases/validation/stefan.hpp>
 #include <cases/validation/stiff_plate.hpp>
 #include <cases/validation/still_water.hpp>
 #include <cases/validation/taylor_green.hpp>
@@ -73,6 +75,8 @@ int main(int argc, char** argv) {
         {"orifice", "particles over the slot", {10, 20}, orifice::measure},
         {"consolidation", "particles over the layer", {10, 20, 40}, consolidation::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
+        {"heated-cavity", "particles along a side", {20, 40}, heated_cavity::measure},
+        {"stefan", "particles in a length of 1", {20, 40, 80}, stefan::measure},
         {"cavity-1000", "particles along a side", {50, 100}, cavity::measure_faster},
         {"standing-wave", "particles over the depth", {25, 50}, standing_wave::measure},
         {"square-patch", "particles along a side", {25, 50}, square_patch::measure},

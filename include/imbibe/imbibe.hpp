@@ -38,6 +38,13 @@
 #include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/geometry/geometry.hpp>
+#include <imbibe/heat/boussinesq.hpp>
+#include <imbibe/heat/conduction.hpp>
+#include <imbibe/heat/enthalpy_advection.hpp>
+#include <imbibe/heat/heat_capacity.hpp>
+#include <imbibe/heat/heat_flux.hpp>
+#include <imbibe/heat/melting.hpp>
+#include <imbibe/heat/surface_temperature.hpp>
 #include <imbibe/interface/interface_tension.hpp>
 #include <imbibe/kernels/kernels.hpp>
 #include <imbibe/methods/capillary_fluid.hpp>

@@ -21,6 +21,10 @@
 #include <imbibe/fluid/symmetric_pressure.hpp>
 #include <imbibe/fluid/transport_advection.hpp>
 #include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/heat/conduction.hpp>
+#include <imbibe/heat/enthalpy_advection.hpp>
+#include <imbibe/heat/heat_flux.hpp>
+#include <imbibe/heat/surface_temperature.hpp>
 #include <imbibe/interface/interface_tension.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
@@ -98,6 +102,8 @@ using EveryPairPart = TypeList<
     Case<SomeInterface, Water, Water, false>, Case<InterfaceForce<>::Pull, Water, Water, true>,
     Case<ContactLineForce<>::Pull, Water, Sponge, true>,
     Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>, Case<NoSlipApparentViscosity<>, Water, Sponge, true>,
+    Case<HeatConduction<>::Conduct, Water, Water, false>, Case<HeatTransfer<>::Conduct, Water, Sponge, false>,
+    Case<EnthalpyAdvection<>::Carry, Water, Water, false>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
 
@@ -107,6 +113,9 @@ using OtherPairParts =
              Case<NoSlipVelocity<>::Sum, Sponge, Water, false>,
              Case<LinearNoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
              Case<ParticleShifting<>::Approach, Water, Water, false>, Case<ContactAngle<>::Sum, Water, Sponge, false>,
+             Case<HeatConduction<>::Moment, Water, Water, false>, Case<HeatTransfer<>::Moment, Water, Sponge, false>,
+             Case<TemperatureExtrapolation<>::Sum, Sponge, Water, false>,
+             Case<HeatFromWalls<>::Sum, Water, Sponge, false>,
              Case<SummationNeighbours<>, Water, Water, false>>;
 
 template <class F, class... C>
@@ -146,6 +155,9 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
         .set(solid_direction, dice.vector<dim>(1))
         .set(contact_line_pull, dice.vector<dim>(1e3));
     p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
+    p.set(enthalpy, dice(-1e3, 1e3)).set(temperature, dice(-20, 20)).set(conductivity, dice(0.1, 3));
+    p.set(conduction_potential, dice(-20, 20)).set(conduction_correction, dice(1, 2));
+    p.set(surface_temperature, dice(-20, 20)).set(heat_flux, dice(-1e3, 1e3));
     return p;
 }
 

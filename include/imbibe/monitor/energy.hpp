@@ -1,6 +1,7 @@
 // Sums over the particles of a phase: energy, momentum, mass. In double, in a fixed order.
 #pragma once
 
+#include <imbibe/heat/enthalpy.hpp>
 #include <imbibe/monitor/phase_energy.hpp>
 #include <imbibe/solid/shear_energy.hpp>
 #include <imbibe/solver/solver.hpp>
@@ -76,6 +77,13 @@ double elastic_energy(const View& phase) {
         detail::break_rule<
             rules::NoStoredEnergy<Solid, list_a_law_with_stored_energy_such_as_CompressibleNeoHookean>>();
     return stored_energy(phase);
+}
+
+/// sum_a m_a h_a, J: the heat of a phase with HeatCapacity or Melting above that at its reference temperature, and what a
+/// wall with a SurfaceTemperature has taken up. Over all phases of a scene without HeatFromWalls it does not change.
+template <class View>
+double thermal_energy(const View& phase) {
+    return reduced<Sum<ThermalEnergy>>(phase);
 }
 
 /// sum_a m_a v_a, kg m/s.

@@ -1,0 +1,69 @@
+// Warm fluid rises: the weight of a fluid that expands with its temperature.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/heat/enthalpy.hpp>
+#include <imbibe/kernels/wendland.hpp>
+#include <imbibe/wall/pressure_extrapolation.hpp>
+
+#include <cmath>
+#include <string_view>
+
+namespace imbibe {
+
+/// Coefficients of Boussinesq.
+struct BoussinesqParameters {
+    double thermal_expansion = 0;        ///< beta, 1/K: water at 20 degrees Celsius 2.1e-4, air 3.4e-3
+    double neutral_temperature = 293.15; ///< T_n, K: at which nothing rises or sinks
+
+    /// Throws Error for a number out of range. @param where the phase in the message
+    void check(std::string_view where) const {
+        require(std::isfinite(thermal_expansion), where, ": BoussinesqParameters::thermal_expansion = ",
+                thermal_expansion, " 1/K; it must be a finite number (water 2.1e-4 1/K)");
+        require(std::isfinite(neutral_temperature), where, ": BoussinesqParameters::neutral_temperature = ",
+                neutral_temperature, " K; it must be a finite number (room temperature 293.15 K)");
+    }
+};
+
+/// dv_a/dt = - beta (T_a - T_n) g, in m/s^2: the weight that a fluid lacks where it is warm. The density of its particles
+/// stays that of their pressure.
+///
+/// Not where beta times the differences of temperature is no longer small, above 0.1 or so: then volumes change.
+///
+/// Source: Boussinesq (1903); Oberbeck (1879).
+struct Boussinesq {
+    using Parameters = BoussinesqParameters;
+    struct Rise {
+        using reads = Fields<temperature>;
+        using adds = Fields<acceleration>;
+        static constexpr bool in_packs = true;
+        Parameters parameters{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
+            return (parameters.thermal_expansion * (parameters.neutral_temperature - a[temperature])) * a.gravity();
+        }
+    };
+    using parts = Parts<Rise>;
+};
+
+/// What PressureExtrapolation adds up of the weight of a fluid with Boussinesq, less what that fluid lacks of it:
+/// - rho_f beta (T_f - T_n) g.(x_a - x_f) W_af, Pa/m^3. `Into` the wall or solid, beside PressureExtrapolation.
+///
+/// Without it the pressure of the wall rises downwards as if the fluid had no expansion, and the fluid feels at the wall
+/// a force that is not there.
+///
+/// Source: as PressureExtrapolation, with the fluid's whole weight.
+template <class Kernel = WendlandC2>
+struct BoussinesqExtrapolation {
+    static constexpr bool one_sided = true;
+    using reads = Fields<density, temperature>;
+    using adds = Fields<extrapolation_sum>;
+
+    IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
+        const BoussinesqParameters& of = b.material.coefficients.template get<BoussinesqParameters>();
+        return (of.thermal_expansion * b[density] * (of.neutral_temperature - b[temperature])) *
+               (dot(ab.gravity(), ab.offset) * ab.value(Kernel{}));
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,90 @@
+// What heat is made of: the fields that its terms share, and the heat of a phase as an energy.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/core/phase.hpp>
+#include <imbibe/core/term.hpp>
+
+#include <string_view>
+
+namespace imbibe {
+
+/// Heat per mass above what a particle holds at the reference temperature of its phase, J/kg: 0 where particles are
+/// added. It is integrated, and the temperature follows from it, so heat is conserved through melting as well. Of a wall
+/// it is what the wall has taken up since the start.
+struct Enthalpy : Field<Rank::scalar> {
+    static constexpr std::string_view name = "enthalpy", unit = "J/kg";
+    static constexpr std::string_view rate_name = "enthalpy_rate", rate_unit = "W/kg";
+};
+inline constexpr Enthalpy enthalpy{};
+inline constexpr Rate<Enthalpy> enthalpy_rate{};
+
+/// Temperature, K. Terms use differences of it alone, so it may as well be in degrees Celsius.
+struct Temperature : Field<Rank::scalar> {
+    static constexpr std::string_view name = "temperature", unit = "K";
+    static constexpr bool shown = true;
+};
+inline constexpr Temperature temperature{};
+
+/// The integral of the conductivity over the temperature, W/m: a heat flux is minus its gradient where the conductivity
+/// changes with the temperature alone (Kirchhoff 1894).
+struct ConductionPotential : Field<Rank::scalar> {
+    static constexpr std::string_view name = "conduction_potential", unit = "W/m";
+};
+inline constexpr ConductionPotential conduction_potential{};
+
+/// Thermal conductivity, W/(m K).
+struct Conductivity : Field<Rank::scalar> {
+    static constexpr std::string_view name = "conductivity", unit = "W/(m K)";
+};
+inline constexpr Conductivity conductivity{};
+
+/// Heat above what all particles hold at the reference temperature, J: what `thermal_energy` sums up.
+struct ThermalEnergy {
+    static constexpr std::string_view name = "thermal energy", unit = "J";
+};
+
+/// m h of a particle, J: a reduction of the terms that keep heat.
+struct ThermalEnergyOfParticle {
+    using reads = Fields<mass, enthalpy>;
+    using reduces = Sum<ThermalEnergy>;
+
+    double operator()(const auto& a) const { return a[mass] * a[enthalpy]; }
+};
+
+namespace detail {
+
+// Are these the parameters of a term that says how a phase holds and conducts heat?
+template <class P>
+concept HeatLaw = requires(const P& law) {
+    law.greatest_conductivity();
+    law.least_heat_capacity();
+};
+
+// Calls f(law) with those of a phase, if a term of it has such parameters. @return has one?
+constexpr bool with_heat_law(const auto& material, const auto& f) {
+    return [&]<class... P>(TypeList<P...>) {
+        return ([&] {
+            if constexpr (HeatLaw<P>)
+                f(material.coefficients.template get<P>());
+            return HeatLaw<P>;
+        }() || ...);
+    }(typename std::remove_cvref_t<decltype(material.coefficients)>::List{});
+}
+
+// The greatest conductivity of a phase, W/(m K); that of another one where it has none of its own.
+constexpr double greatest_conductivity(const auto& material, double of_the_other) {
+    double k = of_the_other;
+    with_heat_law(material, [&](const auto& law) { k = law.greatest_conductivity(); });
+    return k;
+}
+
+inline void require_heat_number(double value, std::string_view where, std::string_view name, std::string_view unit,
+                                std::string_view remedy) {
+    require(std::isfinite(value) && value > 0, where, ": ", name, " = ", value, " ", unit,
+            value == required ? " (not given)" : "", "; it must be a finite number above 0 ", unit, " (", remedy, ")");
+}
+
+} // namespace detail
+
+} // namespace imbibe
