@@ -35,6 +35,20 @@ struct SupportedShare : Field<Rank::scalar> {
 };
 inline constexpr SupportedShare supported_share{};
 
+/// How fast implicit drags slow a particle down against what surrounds it, 1/s: the sum of their coefficients over the
+/// particle's mass.
+struct DragRate : Field<Rank::scalar> {
+    static constexpr std::string_view name = "drag_rate", unit = "1/s";
+};
+inline constexpr DragRate drag_rate{};
+/// Acceleration that follows from all others, m/s^2: of implicit drags, which see the velocity that a particle would have
+/// at the end of the step without them. The solver adds it to the acceleration when that is complete. Only with
+/// integrators that say `allows_implicit`.
+struct ImplicitAcceleration : Field<Rank::vector> {
+    static constexpr std::string_view name = "implicit_acceleration", unit = "m/s^2";
+};
+inline constexpr ImplicitAcceleration implicit_acceleration{};
+
 /// Mass of a particle, kg (kg/m in 2D).
 struct Mass : Field<Rank::scalar> {
     static constexpr std::string_view name = "mass", unit = "kg";

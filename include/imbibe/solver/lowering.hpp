@@ -71,6 +71,7 @@ public:
                                   .mobility = column<Mobility>,
                                   .transport_correction = column<TransportCorrection>,
                                   .supported_share = column<SupportedShare>,
+                                  .implicit_acceleration = column<ImplicitAcceleration>,
                                   .material = &any_of<P>,
                                   .numbers = &numbers};
 };

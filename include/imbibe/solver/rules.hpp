@@ -44,6 +44,7 @@ struct name_terms_such_as_MorrisViscosity;
 struct list_it_in_the_coupling_Into_the_phase;
 struct list_each_phase_and_coupling_once;
 struct list_the_term_Clamped_in_the_phase;
+struct take_one_that_allows_implicit_such_as_SymplecticEuler;
 struct remove_particles_of_other_phases_only;
 struct give_the_term_to_the_phase_or_use_current_neighbours;
 struct write_static_Prepared_prepare_of_a_material_or_two_and_a_Lattice;
@@ -198,6 +199,12 @@ struct NoIntegrator {
 template <class Given, class Advice>
 struct NotAnIntegrator {
     static_assert(never<Given>, "imbibe: the third argument of a solver is no integrator");
+};
+/// Rule: implicit terms stand in scenes whose integrator evaluates all terms once a step.
+template <class Given, class Phase, class Advice>
+struct ImplicitTermsNotAllowed {
+    static_assert(never<Given>, "imbibe: a term of this phase adds an implicit acceleration, which needs all others of "
+                                "the same step; this integrator has them at several times");
 };
 /// Rule: behind the integrator a solver lists its phases and couplings.
 template <class Given, class Advice>

@@ -111,10 +111,26 @@ constexpr bool in_the_scene() {
     else
         return true;
 }
-/// The same for the phases and terms of a scene that an integrator names.
+/// The first of the phases that has an implicit acceleration; void where none has.
+template <class Scene>
+constexpr auto first_with_implicit(TypeList<>) {
+    return std::type_identity<void>{};
+}
+template <class Scene, class P, class... Rest>
+constexpr auto first_with_implicit(TypeList<P, Rest...>) {
+    if constexpr (P::moves && contains<ImplicitAcceleration, typename Scene::template FieldsOf<P>>)
+        return std::type_identity<P>{};
+    else
+        return first_with_implicit<Scene>(TypeList<Rest...>{});
+}
+/// The same for the phases and terms of a scene that an integrator names, and for implicit terms.
 template <class Scene, class Integrator>
 constexpr bool check_integrator() {
-    if constexpr (requires { typename Integrator::Fast; })
+    using Implicit = typename decltype(first_with_implicit<Scene>(typename Scene::Phases{}))::type;
+    if constexpr (!std::is_void_v<Implicit> && !requires { requires Integrator::allows_implicit; })
+        return break_rule<rules::ImplicitTermsNotAllowed<Integrator, Implicit,
+                                                         take_one_that_allows_implicit_such_as_SymplecticEuler>>();
+    else if constexpr (requires { typename Integrator::Fast; })
         return in_the_scene<typename Integrator::Fast, typename Scene::Phases, list_the_phase_in_the_solver>();
     else if constexpr (requires { requires Integrator::Slow::size == 0; })
         return break_rule<rules::NothingIsSlow<Integrator, name_terms_such_as_MorrisViscosity>>();

@@ -37,6 +37,8 @@ private:
     // Sums start from zero, the acceleration from gravity.
     void clear(const ColumnRange& range);
     void run(const Loop<dim, Real>& loop);
+    // Adds an ImplicitAcceleration, if that is what stands in the columns, to the acceleration.
+    void add_if_implicit(const ColumnRange& range);
     bool meets_any(const Loop<dim, Real>& loop) const {
         return std::any_of(loop.links.begin(), loop.links.end(),
                            [&](int k) { return !this->link_at(k).runs.is_empty(); });

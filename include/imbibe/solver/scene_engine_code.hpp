@@ -21,6 +21,9 @@ void SceneEngine<dim, Real>::run(const Pass<dim, Real>& pass, double dt, const B
     for (const Loop<dim, Real>& loop : pass.loops)
         if (chosen.test(loop.phase))
             run(loop);
+    for (const ColumnRange& range : pass.cleared)
+        if (chosen.test(range.phase))
+            add_if_implicit(range);
 }
 
 template <int dim, class Real>
@@ -49,6 +52,23 @@ void SceneEngine<dim, Real>::clear(const ColumnRange& range) {
     };
     loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
     s.note_written(range.first);
+}
+
+template <int dim, class Real>
+void SceneEngine<dim, Real>::add_if_implicit(const ColumnRange& range) {
+    Phase& s = this->phase(range.phase);
+    if (range.first != s.row->implicit_acceleration || !s.row->moves)
+        return;
+    const auto block = [&](int begin, int end) {
+        for (int k = 0; k < range.components; ++k) {
+            const Real* const from = s.column(range.first + k);
+            Real* const to = s.column(s.row->acceleration + k);
+            for (int i = begin; i < end; ++i)
+                to[i] += from[i];
+        }
+    };
+    loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
+    s.note_written(s.row->acceleration);
 }
 
 template <int dim, class Real>

@@ -51,6 +51,7 @@ struct PhaseRow {
     bool fluid = false;
     int position = -1, reference_position = -1, velocity = -1, acceleration = -1, mass = -1;
     int density = -1, density_rate = -1, mobility = -1, transport_correction = -1, supported_share = -1;
+    int implicit_acceleration = -1;
     std::any (*material)() = nullptr; ///< one that nobody has given numbers yet
     PhaseNumbers (*numbers)(const std::any& material) = nullptr;
 

@@ -11,6 +11,7 @@ namespace imbibe {
 /// they see those of half a step before.
 /// Source: Verlet (1967); Swope, Andersen, Berens and Wilson (1982); one evaluation of all terms a step.
 struct Leapfrog {
+    static constexpr bool allows_implicit = true; ///< all terms are evaluated once a step, and velocities follow
     template <class Engine>
     static void start(Engine& engine) {
         engine.template run<typename Engine::Composition::WholeStep>(0);

@@ -16,6 +16,7 @@ namespace imbibe {
 ///
 /// Source: Tuckerman, Berne and Martyna (1992); one evaluation of all terms a step.
 struct PositionVerlet {
+    static constexpr bool allows_implicit = true; ///< all terms are evaluated once a step, and velocities follow
     template <class Engine>
     static void step(Engine& engine, double dt) {
         engine.drift(dt / 2);

@@ -27,6 +27,7 @@ namespace imbibe {
 /// Source: the leapfrog of Hockney (1970) and of finite-difference codes on staggered grids; for its reversibility in
 /// SPH see Zhang, Rezavand and Hu (2020), whose position Verlet halves the density's step as well.
 struct StaggeredLeapfrog {
+    static constexpr bool allows_implicit = true; ///< all terms are evaluated once a step, and velocities follow
     /// What is evaluated in a step, for reports.
     template <class Composition>
     using Passes = TypeList<typename Composition::Forces, typename Composition::States>;

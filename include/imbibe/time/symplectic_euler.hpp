@@ -15,6 +15,7 @@ namespace imbibe {
 ///
 /// Source: Hairer, Lubich and Wanner (2003), Eq. 1.9; one evaluation of all terms a step.
 struct SymplecticEuler {
+    static constexpr bool allows_implicit = true; ///< all terms are evaluated once a step, and velocities follow
     template <class Engine>
     static void step(Engine& engine, double dt) {
         engine.find_neighbours();

@@ -1,0 +1,66 @@
+// Drags between particles that may be as stiff as they like: what one loses the other gains, and no step is too long.
+#pragma once
+
+#include <imbibe/core/term.hpp>
+
+#include <type_traits>
+
+namespace imbibe::detail {
+
+// The velocity at the end of the step without implicit accelerations, m/s.
+IMBIBE_INLINE constexpr auto expected_velocity(const auto& a, double time_step) {
+    if constexpr (std::remove_cvref_t<decltype(a)>::Material::moves)
+        return a[velocity] + (time_step * a[mobility]) * a[acceleration];
+    else
+        return a[velocity];
+}
+
+// The drag_rate with which a particle gives way, 1/s: 0 of a wall and of what is held.
+IMBIBE_INLINE constexpr auto yielding_rate(const auto& a) {
+    if constexpr (std::remove_cvref_t<decltype(a)>::Material::moves)
+        return a[mobility] * a[drag_rate];
+    else
+        return 0.0;
+}
+
+/// The two parts of an implicit drag between particles a and b with the coefficient K_ab >= 0, kg/s, that `Law` has:
+/// Rate adds sum_b K_ab/m_a to the drag_rate L_a, and Slow
+///
+///     - 1/m_a sum_b K_ab/(1 + dt (L_a + L_b)) (v*_a - v*_b),    v* = v + dt dv/dt,
+///
+/// to the implicit acceleration, in m/s^2, with the acceleration dv/dt by all other terms. Where the velocities and K
+/// are the same all over each of two phases that is the backward Euler step of their difference. Equal and opposite:
+/// momentum is conserved. No wave of the velocities grows or changes its sign, however large K is: in the graph of the
+/// pairs with these weights, the sum of the degrees of two neighbours is below 1/dt, which bounds all eigenvalues
+/// (Anderson and Morley 1985, Eigenvalues of the Laplacian of a graph).
+///
+/// What is held, and a wall, is no other velocity in a step: L_b = 0.
+///
+/// `Law` has `Reads`, `Parameters` and `coefficient(parameters, a, b, ab)`: symmetric, 0 for the particle itself.
+template <class Law>
+struct ImplicitDrag {
+    struct Rate {
+        using reads = Concat<Fields<mass>, typename Law::Reads>;
+        using adds = Fields<drag_rate>;
+        typename Law::Parameters parameters{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            return Law::coefficient(parameters, a, b, ab) / a[mass];
+        }
+    };
+    struct Slow {
+        using reads = Concat<Fields<mass, velocity, acceleration, mobility, drag_rate>, typename Law::Reads>;
+        using adds = Fields<implicit_acceleration>;
+        typename Law::Parameters parameters{};
+
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
+            const T dt(a.time_step);
+            const auto rates = yielding_rate(a) + yielding_rate(b);
+            const T weight = Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
+            return weight * (expected_velocity(b, a.time_step) - expected_velocity(a, a.time_step));
+        }
+    };
+};
+
+} // namespace imbibe::detail
