@@ -23,6 +23,7 @@ DASHES = ["-", "--", ":", "-."]
 WATER = LinearSegmentedColormap.from_list("water", ["#b4d8ee", "#6db1da", "#2a7ab9", "#0b4787", "#07244f"])
 SPONGE = LinearSegmentedColormap.from_list("sponge", ["#ecd6a6", "#ebbb70", "#e08a45", "#b84a2b", "#6e1f1c"])
 WALL = "#c9d0d6"
+ICE = "#ded9f0"
 
 plt.rcParams.update({
     "font.family": "sans-serif", "font.size": 10, "text.color": INK,

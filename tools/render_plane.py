@@ -6,8 +6,8 @@ times, one panel each.
     python3 tools/render_plane.py out-elastic-gate --times 40 120 400 --fluid water --speed 2 -o gate.png
     python3 tools/render_plane.py out-dam-break --slice 140 160 -o dam_break.png
 
-Particles are drawn as discs of their own area: the fluid coloured by its speed, walls grey, other phases in one colour,
-or by how far they have been displaced (--displaced).
+Particles are drawn as discs of their own area: the fluid coloured by its speed, what of it is frozen in the colour of
+ice, walls grey, other phases in one colour, or by how far they have been displaced (--displaced).
 """
 
 import argparse
@@ -15,10 +15,10 @@ import glob
 import os
 
 import particle_files
-from picture_style import GREY, SPONGE, WALL, WATER, np, plt, save
+from picture_style import GREY, ICE, SPONGE, WALL, WATER, np, plt, save
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import EllipseCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_rgba
 from tool_errors import end_with, whole_number
 
 
@@ -53,6 +53,14 @@ def flat(snapshot, between):
 def nearest(series, time):
     """The path of that snapshot of a phase which is nearest to a time."""
     return min(series, key=lambda entry: abs(entry[0] - time))[1]
+
+
+def fluid_colours(snapshot, shares):
+    """Colours of a fluid's particles by their share of the greatest speed; ice where more than half is frozen."""
+    colours = WATER(shares)
+    if "liquid_fraction" in snapshot.arrays:
+        colours[snapshot.arrays["liquid_fraction"] < 0.5] = to_rgba(ICE)
+    return colours
 
 
 def main():
@@ -101,7 +109,7 @@ def main():
             if len(snapshot.points) == 0:
                 continue
             size = 2e3 * particle_files.spacing_of(snapshot) / np.sqrt(np.pi)
-            colours = (WATER(scale(speed)) if name == arguments.fluid
+            colours = (fluid_colours(snapshot, scale(speed)) if name == arguments.fluid
                        else SPONGE(furthest(way)) if name == arguments.displaced
                        else WALL if name in arguments.walls else SPONGE(0.7))
             panel.add_collection(EllipseCollection(size, size, 0, units="xy", offsets=snapshot.points[:, :2] * 1e3,

@@ -41,6 +41,9 @@
 #include <imbibe/heat/boussinesq.hpp>
 #include <imbibe/heat/conduction.hpp>
 #include <imbibe/heat/enthalpy_advection.hpp>
+#include <imbibe/heat/enthalpy_porosity.hpp>
+#include <imbibe/heat/frozen_drag.hpp>
+#include <imbibe/heat/frozen_stress.hpp>
 #include <imbibe/heat/heat_capacity.hpp>
 #include <imbibe/heat/heat_flux.hpp>
 #include <imbibe/heat/melting.hpp>

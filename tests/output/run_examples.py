@@ -29,6 +29,8 @@ EXAMPLES = [
      (r"(\d+) % of the pores are full", 60, 95)),
     ("oil_in_sponge", ["20", "60", "0.15"], "out-oil-in-sponge/oil.pvd", None, (r"(\d+) % of the oil is out", 55, 85)),
     ("porous", ["--across", "24"], None, None, (r"along y: k = ([\d.]+)e-09", 3.4, 3.9)),
+    ("freezing_pores", ["30"], "out-freezing-pores/water.pvd", None,
+     (r"3.01 s: (\d+) % of the water is ice", 90, 97)),  # 91 in a body of the mean properties
     ("squeezed_foam", ["0.3", "16"], None, None, (r"strain 0.250: .*k along ([\d.]+)e-09", 1.0, 5.0)),
 ]
 
@@ -42,6 +44,7 @@ REFUSED = [
     ("cylinders", ["0.9"], "the share of the plane that cylinders fill, '0.9', must be a number"),
     ("gyroid", ["nan"], "the solid fraction, 'nan', must be a number"),
     ("drinking_sponge", ["200"], "the contact angle in degrees, '200', must be a number from 0 to 180"),
+    ("freezing_pores", ["10"], "the number of particles over the height, '10', must be a number from 30 to 400"),
     ("porous", ["none.stl"], "a mesh needs --unit, an image --voxel and --threshold"),
     ("porous", ["none.stl", "--unit", "mm"], "read_mesh: none.stl cannot be opened"),
     ("oil_in_sponge", ["0"], "the viscosity of oil over that of water, '0', must be a number from 0.05 to 20"),

@@ -23,6 +23,8 @@
 #include <imbibe/fluid/volume_pressure.hpp>
 #include <imbibe/heat/conduction.hpp>
 #include <imbibe/heat/enthalpy_advection.hpp>
+#include <imbibe/heat/frozen_drag.hpp>
+#include <imbibe/heat/frozen_stress.hpp>
 #include <imbibe/heat/heat_flux.hpp>
 #include <imbibe/heat/surface_temperature.hpp>
 #include <imbibe/interface/interface_tension.hpp>
@@ -103,7 +105,8 @@ using EveryPairPart = TypeList<
     Case<ContactLineForce<>::Pull, Water, Sponge, true>,
     Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>, Case<NoSlipApparentViscosity<>, Water, Sponge, true>,
     Case<HeatConduction<>::Conduct, Water, Water, false>, Case<HeatTransfer<>::Conduct, Water, Sponge, false>,
-    Case<EnthalpyAdvection<>::Carry, Water, Water, false>,
+    Case<EnthalpyAdvection<>::Carry, Water, Water, false>, Case<FrozenStress<>::Pull, Water, Water, true>,
+    Case<FrozenDrag<>::Drag::Rate, Water, Sponge, false>, Case<FrozenDrag<>::Drag::Slow, Water, Sponge, false>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
 
@@ -157,6 +160,8 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
     p.set(enthalpy, dice(-1e3, 1e3)).set(temperature, dice(-20, 20)).set(conductivity, dice(0.1, 3));
     p.set(conduction_potential, dice(-20, 20)).set(conduction_correction, dice(1, 2));
+    p.set(liquid_fraction, dice(0, 1)).set(drag_rate, dice(1, 100)).set(mobility, 1.0);
+    p.set(acceleration, dice.vector<dim>(10)).set(deviatoric_stress, symmetric_part(t));
     p.set(surface_temperature, dice(-20, 20)).set(heat_flux, dice(-1e3, 1e3));
     return p;
 }

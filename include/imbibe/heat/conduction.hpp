@@ -52,13 +52,11 @@ IMBIBE_INLINE constexpr auto conduction_sums(const auto& b, const auto& ab) {
     return values((1 / dim) * squared_norm(ab.offset) * weight, sq(ab.support_radius) * weight);
 }
 
-// c of a pair: the mean of the two; of a wall's particle, that of the other.
+// c of a pair: the mean of the two; with a wall that is kept at a temperature, that of the other.
 IMBIBE_INLINE constexpr auto pair_correction(const auto& a, const auto& b) {
-    constexpr bool a_is_wall = !std::remove_cvref_t<decltype(a)>::Material::moves,
-                   b_is_wall = !std::remove_cvref_t<decltype(b)>::Material::moves;
-    if constexpr (a_is_wall)
+    if constexpr (!holds_heat<typename std::remove_cvref_t<decltype(a)>::Material>)
         return b[conduction_correction];
-    else if constexpr (b_is_wall)
+    else if constexpr (!holds_heat<typename std::remove_cvref_t<decltype(b)>::Material>)
         return a[conduction_correction];
     else
         return 0.5 * (a[conduction_correction] + b[conduction_correction]);

@@ -61,6 +61,15 @@ concept HeatLaw = requires(const P& law) {
     law.least_heat_capacity();
 };
 
+// Is this a phase with such a term?
+template <class Material>
+inline constexpr bool holds_heat = false;
+template <class Material>
+    requires requires(const Material& material) { material.coefficients; }
+inline constexpr bool holds_heat<Material> = []<class... P>(TypeList<P...>) {
+    return (HeatLaw<P> || ...);
+}(typename decltype(Material::coefficients)::List{});
+
 // Calls f(law) with those of a phase, if a term of it has such parameters. @return has one?
 constexpr bool with_heat_law(const auto& material, const auto& f) {
     return [&]<class... P>(TypeList<P...>) {
