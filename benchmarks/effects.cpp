@@ -51,6 +51,12 @@ struct WaterSlow
     : Fluid<LinearState, InnerCorrection<K>, CorrectedContinuity<K>, CorrectedPressure<K>, StrainShifting<K>> {};
 struct WaterCorrectedViscosity : WaterWith<CurrentCorrection<K>, CorrectedViscosity<K>> {};
 struct WaterAntuono : WaterWith<CurrentCorrection<K>, AntuonoDiffusion<K>> {};
+struct WaterHeat : WaterWith<HeatCapacity, HeatConduction<K>> {};
+struct WaterHeatBuoyant : WaterWith<HeatCapacity, HeatConduction<K>, Boussinesq> {};
+struct WaterHeatShifted : WaterWith<ParticleShifting<K>, HeatCapacity, HeatConduction<K>, EnthalpyAdvection<K>> {};
+struct WaterIce : WaterWith<Melting, HeatConduction<K>> {};
+struct WaterIceAtRest : WaterWith<Melting, HeatConduction<K>, EnthalpyPorosity> {};
+struct WaterIceElastic : WaterWith<Melting, HeatConduction<K>, VelocityGradient<K>, FrozenStress<K>> {};
 struct Rubber : RubberWith<> {};
 struct RubberArtificial : RubberWith<ArtificialStress<K>> {};
 struct RubberMonaghan : RubberWith<MonaghanViscosity<K>> {};
@@ -82,6 +88,9 @@ struct SlabNormal : PlateWith<ReferenceSurfaceNormal<K>> {};
 struct WaterBelow : WaterWith<> {};
 struct Drop : WaterWith<InterfaceForce<K>> {};
 struct DropBelow : WaterWith<InterfaceForce<K>> {};
+struct Warm : WaterWith<Melting, HeatConduction<K>, Boussinesq> {};
+struct HotFloor : Wall<SurfaceTemperature> {};
+struct Heater : Wall<HeatFlux> {};
 template <class Below, class... Term>
 using Contact = Coupling<Water, Below, Term...>;
 template <class Above, class Below, class... More>
@@ -115,6 +124,12 @@ struct Layers : LayersOf<Water, WaterBelow> {};
 struct LayersTension : LayersOf<Drop, DropBelow, InterfaceTension<K>, InterfaceForce<K>> {};
 struct DropFloor : ExtrapolationOf<Drop, Floor> {};
 struct DropFloorAngle : ExtrapolationOf<Drop, Floor, Into<Drop, ContactAngle<K>>, ContactLineForce<K>> {};
+struct WarmFloor : ExtrapolationOf<Warm, Floor> {};
+struct WarmFloorBuoyant : ExtrapolationOf<Warm, Floor, Into<Floor, BoussinesqExtrapolation<K>>> {};
+struct WarmFloorFrozen : ExtrapolationOf<Warm, Floor, Into<Warm, FrozenDrag<K>>> {};
+struct WarmFloorHeated : ExtrapolationOf<Warm, Heater, Into<Warm, HeatFromWalls<K>>> {};
+struct WarmFloorHot
+    : ExtrapolationOf<Warm, HotFloor, Into<HotFloor, TemperatureExtrapolation<K>>, HeatTransfer<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -131,6 +146,12 @@ P material() {
             fluid.set(SummationRelaxationParameters{.time = 1}); // it has no default
         if constexpr (std::is_same_v<P, WaterPaste>)
             fluid.set(CarreauParameters{.at_rest = 0.056, .fast = 0.00345, .time = 3.313, .exponent = 0.3568}); // blood
+        if constexpr (detail::contains<HeatCapacity, typename P::terms>)
+            fluid.set(HeatParameters{.heat_capacity = 4186, .heat_conductivity = 0.6});
+        if constexpr (detail::contains<Melting, typename P::terms>) // in mush, where all of it has something to do
+            fluid.set(MeltingParameters{4200, 2100, 0.6, 2.2, 3.34e5, 273.15, 100, 273.15 + 100});
+        if constexpr (detail::contains<FrozenStress<K>, typename P::terms>)
+            fluid.set(FrozenStressParameters{.shear_modulus = 1e5});
         return fluid;
     }
 }
@@ -248,6 +269,13 @@ Cases all_cases() {
     add<WaterSymmetric>(cases, "`Continuity` and `SymmetricPressure` in place of those of volumes",
                         "the sponge paper's pair, for one fluid");
     add<WaterTait>(cases, "`Tait` in place of `LinearState`", "a liquid that stiffens under pressure");
+    add<WaterHeat>(cases, "`HeatCapacity` and `HeatConduction`", "heat, and with a second phase `HeatTransfer`");
+    add<WaterHeatBuoyant>(cases, "the same with `Boussinesq`", "convection: what is warm rises");
+    add<WaterHeatShifted>(cases, "the same with `ParticleShifting` and `EnthalpyAdvection`",
+                          "heat that stays where it is although particles are shifted");
+    add<WaterIce>(cases, "`Melting` and `HeatConduction`", "what melts and freezes");
+    add<WaterIceAtRest>(cases, "the same with `EnthalpyPorosity`", "ice in a mould that rests");
+    add<WaterIceElastic>(cases, "the same with `FrozenStress` and `VelocityGradient`", "ice that moves and bends");
     add<Rubber>(
         cases,
         "a solid with a stress rate: `LinearState`, `Continuity`, `VelocityGradient`, `JaumannStress`, `StressForce`",
@@ -314,6 +342,14 @@ Cases all_cases() {
         cases, "such a fluid on a floor with `PressureExtrapolation`", "what the row below is compared with");
     add<DropFloorAngle, OnTop<Drop, Floor, DropBelow, LayersTension, DropFloorAngle>>(
         cases, "`ContactAngle` and `ContactLineForce`", "the angle at which an interface meets walls and solids");
+    add_contact<WarmFloor>(
+        cases, "a fluid with `Melting`, `HeatConduction` and `Boussinesq` on a floor with `PressureExtrapolation`",
+        "what the rows below are compared with");
+    add_contact<WarmFloorBuoyant>(cases, "`BoussinesqExtrapolation`", "floors under a fluid that expands");
+    add_contact<WarmFloorFrozen>(cases, "`FrozenDrag`", "ice that holds on to walls and solids");
+    add_contact<WarmFloorHeated>(cases, "`HeatFlux` and `HeatFromWalls`", "walls that heat");
+    add_contact<WarmFloorHot>(cases, "`SurfaceTemperature`, `TemperatureExtrapolation` and `HeatTransfer`",
+                              "walls at a temperature");
     add<Slab, OnTop<Water, Slab>>(cases, "the plain fluid on a total-Lagrangian slab that it does not see",
                                   "what the rows below are compared with");
     add_contact<SlabExtrapolation>(

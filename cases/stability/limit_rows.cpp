@@ -60,6 +60,19 @@ void add_limits(Table& table) {
         row("ClearyViscosity", box, [=](const Plan& p) { return shaken_box(p, liquid<Cleary>(200), 2.6, moved); });
     }
     for (const double moved : {0.0, disorder}) {
+        row("HeatConduction, H = 2.6", moved > 0 ? "disordered square of heat" : "square of heat",
+            [=](const Plan& p) { return warm_drop<2>(p, 2.6, moved); });
+        row("HeatConduction, H = 2.6", moved > 0 ? "disordered cube of heat" : "cube of heat",
+            [=](const Plan& p) { return warm_drop<3>(p, 2.6, moved); });
+        row("HeatTransfer with walls at a temperature", moved > 0 ? "disordered channel of heat" : "channel of heat",
+            [=](const Plan& p) { return warm_channel(p, 2.6, moved); });
+    }
+    row("HeatTransfer, ten times the conductivity", "two layers of heat",
+        [](const Plan& p) { return warm_layers(p, 10); });
+    row("FrozenStress, G = 3 rho c^2", "shaken box of ice", [](const Plan& p) { return shaken_box(p, frozen(), 2.6); });
+    row("FrozenStress, G = 3 rho c^2", "disordered shaken box of ice",
+        [=](const Plan& p) { return shaken_box(p, frozen(), 2.6, disorder); });
+    for (const double moved : {0.0, disorder}) {
         row("CorrectedPressure, H = 2.6", moved > 0 ? "disordered shaken drop" : "shaken drop",
             [=](const Plan& p) { return shaken_drop(p, liquid<CorrectedLiquid>(), 2.6, moved); });
         row("CorrectedPressure, H = 2.6", moved > 0 ? "disordered shaken drop in 3D" : "shaken drop in 3D",

@@ -13,6 +13,10 @@
 #include <imbibe/fluid/particle_shifting.hpp>
 #include <imbibe/fluid/summation_relaxation.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/heat/conduction.hpp>
+#include <imbibe/heat/frozen_stress.hpp>
+#include <imbibe/heat/heat_capacity.hpp>
+#include <imbibe/heat/surface_temperature.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
@@ -107,6 +111,75 @@ struct CorrectedNoSlipPlates
                     sph::CorrectedNoSlipViscosity<C2>> {};
 struct RiemannPlates : sph::Coupling<Sound, Plates, sph::Into<Sound, sph::RiemannWallNormal<C2>>,
                                      sph::RiemannWallPressure<C2>, sph::Into<Sound, sph::RiemannWallContinuity<C2>>> {};
+
+/// Shakes the heat of a fluid at rest, particle by particle, and watches it for 400 of its longest steps.
+template <int dim>
+Outcome march_warm(auto& scene, const auto& phase, const Plan& plan) {
+    std::mt19937 dice(5);
+    const auto view = scene[phase];
+    for (int i = 0; i < view.size(); ++i)
+        view[sph::enthalpy](i) = dice() % 2 == 0 ? 1 : -1;
+    scene.prepare();
+    const Watch<dim> watch{.end = 400 * scene.time_step_limits().front().seconds,
+                           .guard = {.energy = std::numeric_limits<double>::infinity()},
+                           .signs = {{"greatest enthalpy over that at the start", 1.5}},
+                           .expected_steps = 400};
+    return march(scene, plan, watch,
+                 [&](const auto& s) { return std::vector{s[phase][sph::enthalpy].cwiseAbs().maxCoeff()}; });
+}
+struct Warm : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
+struct Warmer : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
+struct Touching : sph::Coupling<Warm, Warmer, sph::HeatTransfer<C2>> {};
+struct Heated : sph::Wall<sph::SurfaceTemperature> {};
+struct Heating : sph::Coupling<Warm, Heated, sph::Into<Heated, sph::TemperatureExtrapolation<C2>>,
+                               sph::HeatTransfer<C2>> {};
+template <class Phase>
+Phase warm(double conductivity) {
+    Phase phase{{.density = 1000, .sound_speed = 1e-6}};
+    phase.set(sph::HeatParameters{.heat_capacity = 1, .heat_conductivity = conductivity, .reference_temperature = 0});
+    return phase;
+}
+/// A square (cube) of heat, insulated all around. @param disorder spacings
+template <int dim>
+Outcome warm_drop(const Plan& plan, double support, double disorder) {
+    constexpr double length = (dim == 2 ? 16 : 8) * dx;
+    sph::Solver<dim, double, sph::SymplecticEuler, Warm> scene(
+        {.support_radius = support * dx, .max_time_step = 1e3, .threads = 1});
+    const sph::Point<dim> lower = sph::Point<dim>::Zero(), upper = sph::Point<dim>::Constant(length);
+    const auto lattice = sph::fill(sph::Box<dim>{lower, upper}, dx);
+    return march_warm<dim>(scene, scene.add(warm<Warm>(1), sph::jitter<dim>(lattice, disorder * dx, 1), dx), plan);
+}
+/// The same between two walls at a temperature.
+inline Outcome warm_channel(const Plan& plan, double support, double disorder) {
+    constexpr double across = 16 * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, Warm, Heated, Heating> scene(
+        {.support_radius = support * dx, .max_time_step = 1e3, .periodic_length = {across, 0}, .threads = 1});
+    const sph::Box<2> between{{0, 0}, {across, across}};
+    const auto lattice = sph::jitter<2>(sph::fill(between, dx), disorder * dx, 1);
+    const auto phase = scene.add(warm<Warm>(1), lattice, dx);
+    Heated wall{{.density = 1000}};
+    wall.set(sph::SurfaceTemperatureParameters{.surface_temperature = 0});
+    scene.add(wall, sph::tank(between, dx, 3, sph::Sides::x), dx);
+    return march_warm<2>(scene, phase, plan);
+}
+/// Two layers, of which the other conducts so much better.
+inline Outcome warm_layers(const Plan& plan, double better) {
+    constexpr double across = 16 * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, Warm, Warmer, Touching> scene(
+        {.support_radius = 2.6 * dx, .max_time_step = 1e3, .periodic_length = {across, across}, .threads = 1});
+    const auto phase = scene.add(warm<Warm>(1), sph::fill(sph::Box<2>{{0, 0}, {across, across / 2}}, dx), dx);
+    scene.add(warm<Warmer>(better), sph::fill(sph::Box<2>{{0, across / 2}, {across, across}}, dx), dx);
+    return march_warm<2>(scene, phase, plan);
+}
+
+struct Ice : Liquid<sph::Melting, sph::HeatConduction<C2>, sph::VelocityGradient<C2>, sph::FrozenStress<C2>> {};
+/// Water that is frozen, three times as stiff against shear as against compression.
+inline Ice frozen() {
+    Ice ice{{.density = 1000, .sound_speed = 30}};
+    ice.set(sph::MeltingParameters{1, 1, 1e-9, 1e-9, 1, 0, 0, -1});
+    ice.set(sph::FrozenStressParameters{.shear_modulus = 3 * 1000 * sph::sq(30.0)});
+    return ice;
+}
 
 template <class Phase>
 Phase liquid(double viscosity = 0) {
