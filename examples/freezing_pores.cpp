@@ -53,7 +53,7 @@ int main(int, char** argv) {
         scene.add(body, places[0], dx);
         scene.add(plate, sph::fill(sph::Box<2>{{0, -3 * dx}, {L, 0}}, dx), dx);
         scene.add(Lid{{.density = rho}}, sph::fill(sph::Box<2>{{0, L}, {L, L + 3 * dx}}, dx), dx);
-        const double n = places[1].size() / double(places[0].size() + places[1].size());
+        const double n = 1 - dx * dx * double(places[0].size()) / slice.volume();
         const double mean_k = n * k + (1 - n) * fibre_k, mean_c = n * c + (1 - n) * fibre_c,
                      stefan = mean_c * cold / (n * latent); // lambda^2 = St/2/(1 + St/3), to 0.1 % where St < 0.5
         const double growth =
