@@ -52,6 +52,8 @@ struct Boussinesq {
 /// Without it the pressure of the wall rises downwards as if the fluid had no expansion, and the fluid feels at the wall
 /// a force that is not there.
 ///
+/// Not for a fluid without Boussinesq: its coefficients are asked for.
+///
 /// Source: as PressureExtrapolation, with the fluid's whole weight.
 template <class Kernel = WendlandC2>
 struct BoussinesqExtrapolation {

@@ -45,6 +45,10 @@ struct ThermalEnergy {
 };
 
 /// m h of a particle, J: a reduction of the terms that keep heat.
+///
+/// Not a term that is listed by itself.
+///
+/// Source: the definition of the enthalpy.
 struct ThermalEnergyOfParticle {
     using reads = Fields<mass, enthalpy>;
     using reduces = Sum<ThermalEnergy>;
