@@ -23,6 +23,12 @@ IMBIBE_INLINE constexpr auto yielding_rate(const auto& a) {
         return 0.0;
 }
 
+// Is this a step? An integrator that wants accelerations before its first one asks for them with a step of 0, in which a
+// stiff drag would be explicit.
+constexpr double acts(double time_step) {
+    return time_step > 0 ? 1 : 0;
+}
+
 /// The two parts of an implicit drag between particles a and b with the coefficient K_ab >= 0, kg/s, that `Law` has:
 /// Rate adds sum_b K_ab/m_a to the drag_rate L_a, and Slow
 ///
@@ -30,9 +36,8 @@ IMBIBE_INLINE constexpr auto yielding_rate(const auto& a) {
 ///
 /// to the implicit acceleration, in m/s^2, with the acceleration dv/dt by all other terms. Where the velocities and K
 /// are the same all over each of two phases that is the backward Euler step of their difference. Equal and opposite:
-/// momentum is conserved. No wave of the velocities grows or changes its sign, however large K is: in the graph of the
-/// pairs with these weights, the sum of the degrees of two neighbours is below 1/dt, which bounds all eigenvalues
-/// (Anderson and Morley 1985, Eigenvalues of the Laplacian of a graph).
+/// momentum is conserved. No wave of the velocities grows, however large K is: twice the sum of the weights of a particle
+/// is below 2/dt, which bounds all eigenvalues (Gershgorin). A pass without a step, dt = 0, has no drag.
 ///
 /// What is held, and a wall, is no other velocity in a step: L_b = 0.
 ///
@@ -57,7 +62,8 @@ struct ImplicitDrag {
             using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
             const T dt(a.time_step);
             const auto rates = yielding_rate(a) + yielding_rate(b);
-            const T weight = Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
+            const T weight =
+                acts(a.time_step) * Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
             return weight * (expected_velocity(b, a.time_step) - expected_velocity(a, a.time_step));
         }
     };

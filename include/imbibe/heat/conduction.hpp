@@ -70,8 +70,9 @@ struct PreparedConduction {
 
 /// dh_a/dt = 1/m_a sum_b V_a V_b (c_a + c_b) (theta_a - theta_b) (x_ab . grad_a W_ab)/|x_ab|^2, in W/kg, with the volumes
 /// V = m/rho, the integral theta of the conductivity over the temperature, and c = 3/(1 + 2 M), M_a = sum_b V_b
-/// |grad_a W_ab| |x_ab|/dim, but not so much that the exchange gets stiffer than 1.3 times that of a lattice. What one particle gives the other takes: heat is conserved to rounding. Convection needs no term:
-/// particles take their heat along.
+/// |grad_a W_ab| |x_ab|/dim, but not so much that the exchange gets stiffer than 1.3 times that of a lattice. What one
+/// particle gives the other takes: heat is conserved to rounding. Convection needs no term: particles take their heat
+/// along.
 ///
 /// In a phase, beside HeatCapacity or Melting. What is left open, a free surface or a wall without HeatTransfer, is
 /// insulated: c makes up for the neighbours that are missing there, 1 inside. It is chosen so that heat flows along a
