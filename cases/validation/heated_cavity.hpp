@@ -2,7 +2,8 @@
 //
 // Reference: de Vahl Davis (1983), extrapolated from grids of up to 81 x 81: the mean Nusselt number, the heat that
 // crosses the cavity over what it would be at rest, 1.118, 2.243 and 4.519 at Rayleigh numbers of 1e3, 1e4 and 1e5; the
-// greatest velocity across x = 0.5 and y = 0.5 in units of kappa/L, 3.649 and 3.697, 16.178 and 19.617, 34.73 and 68.59.
+// greatest velocity across x = 0.5 and y = 0.5 in units of kappa/L, 3.649 and 3.697, 16.178 and 19.617, 34.73
+// and 68.59.
 //
 // Geometry: side 1, the walls 1 K apart, floor and lid insulated; Pr = 0.71. The greatest speed that the air would
 // reach, sqrt(g beta 1 K L), is 1, and beta 1 K = 1: only g beta counts.
@@ -38,11 +39,12 @@ struct Insulated : sph::Wall<> {};
 template <int>
 struct Heated : sph::Wall<sph::SurfaceTemperature> {};
 template <class Side, class... More>
-struct At : sph::Coupling<Air, Side, sph::Into<Side, sph::PressureExtrapolation<K>>,
-                          sph::Into<Side, sph::BoussinesqExtrapolation<K>>, sph::VolumePressure<K>,
-                          sph::Into<Side, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>,
-                          sph::Into<Air, sph::SummationNeighbours<K>>, sph::Into<Air, sph::ShiftingNeighbours<K>>,
-                          More...> {};
+struct At
+    : sph::Coupling<Air, Side, sph::Into<Side, sph::PressureExtrapolation<K>>,
+                    sph::Into<Side, sph::BoussinesqExtrapolation<K>>, sph::VolumePressure<K>,
+                    sph::Into<Side, sph::NoSlipVelocity<K>>, sph::NoSlipViscosity<K>,
+                    sph::Into<Air, sph::SummationNeighbours<K>>, sph::Into<Air, sph::ShiftingNeighbours<K>>, More...> {
+};
 template <class Side>
 struct Warming : At<Side, sph::Into<Side, sph::TemperatureExtrapolation<K>>, sph::HeatTransfer<K>> {};
 using Scene = sph::Solver<2, double, sph::SymplecticEuler, Air, Insulated, Heated<0>, Heated<1>, At<Insulated>,

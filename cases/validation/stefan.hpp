@@ -6,10 +6,9 @@
 // Geometry: a strip of 8 particles, periodic along the wall, 1.3 long (3 with water that is warm, whose far end stays
 // as it is), a lattice. The wall is 1 K below the melting point; k = rho = c = 1 in the ice, St = c 1 K/L. The warm
 // water is 0.5 K above it, with twice the heat capacity and 0.3 of the conductivity.
-// Scheme: Melting, HeatConduction; HeatTransfer with a wall of SurfaceTemperature, TemperatureExtrapolation; Wendland C2 of 3
-// spacings.
-// Measure: when the exact front is at 0.6, the thickness of the ice, the temperature at 0.3, and the heat that ice and
-// water lost over that which the wall took.
+// Scheme: Melting, HeatConduction; HeatTransfer with a wall of SurfaceTemperature, TemperatureExtrapolation; Wendland
+// C2 of 3 spacings. Measure: when the exact front is at 0.6, the thickness of the ice, the temperature at 0.3, and the
+// heat that ice and water lost over that which the wall took.
 #pragma once
 
 #include "case.hpp"
@@ -59,8 +58,7 @@ inline double front_number(const Run& run) {
     const auto excess = [&](double x) { // the heat that arrives less that which is taken, falls with x
         const double y = x / ratio;
         const double of_water = run.warm * run.liquid_conductivity / ratio * std::exp(-y * y) / std::erfc(y);
-        return std::exp(-x * x) / std::erf(x) - of_water -
-               x * std::sqrt(std::numbers::pi) / run.stefan_number;
+        return std::exp(-x * x) / std::erf(x) - of_water - x * std::sqrt(std::numbers::pi) / run.stefan_number;
     };
     double low = 1e-6, high = 3;
     for (int k = 0; k < 200; ++k)

@@ -160,6 +160,7 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
     p.set(enthalpy, dice(-1e3, 1e3)).set(temperature, dice(-20, 20)).set(conductivity, dice(0.1, 3));
     p.set(conduction_potential, dice(-20, 20)).set(conduction_correction, dice(1, 2));
+    p.time_step = 1e-3; // in a step of 0 implicit drags do nothing
     p.set(liquid_fraction, dice(0, 1)).set(drag_rate, dice(1, 100)).set(mobility, 1.0);
     p.set(acceleration, dice.vector<dim>(10)).set(deviatoric_stress, symmetric_part(t));
     p.set(surface_temperature, dice(-20, 20)).set(heat_flux, dice(-1e3, 1e3));

@@ -72,6 +72,7 @@ template <class T, int dim, class Material>
 Particle<dim, T, Material> lanes(const std::vector<Particle<dim, Number<double>, Material>>& particles) {
     using Real = typename T::Scalar;
     Particle<dim, T, Material> result(particles.front().material);
+    result.time_step = particles.front().time_step;
     for (const auto& [name, first] : particles.front().values_)
         for (std::size_t k = 0; k < first.size(); ++k) {
             std::array<Real, static_cast<std::size_t>(T::size)> numbers{};

@@ -58,7 +58,7 @@ TEMPLATE_TEST_CASE("Ice stands still in a mould, mush is slowed down by Darcy's 
     scene[cell][enthalpy](0) = -latent;       // ice
     scene[cell][enthalpy](1) = -0.4 * latent; // mush, 0.6 of it liquid
     scene[cell][velocity](0, 0) = 3;          // stops in a few steps
-    for (int n = 0; n < 50; ++n) { // L dt = 10: it halves at least in each, and never grows
+    for (int n = 0; n < 50; ++n) {            // L dt = 10: it halves at least in each, and never grows
         scene.step(1e-3);
         CHECK(std::abs(scene[cell][velocity](0, 0)) < 3);
     }
@@ -151,7 +151,8 @@ TEST_CASE("What has frozen becomes a phase of its own, with its heat") {
             scene[liquid][enthalpy](i) = -1.5 * latent;
     scene.step();
     const double before = thermal_energy(scene[liquid]) + thermal_energy(scene[block]);
-    const auto moved = scene.hand_over(liquid, block, [](const auto& view, int i) { return view[liquid_fraction](i) == 0; });
+    const auto moved =
+        scene.hand_over(liquid, block, [](const auto& view, int i) { return view[liquid_fraction](i) == 0; });
     CHECK(moved.size() == 30);
     CHECK(scene[block].size() == 31);
     CHECK(scene[liquid].size() == 70);

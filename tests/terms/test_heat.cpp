@@ -72,9 +72,9 @@ double decay(Phase material, double across, Sides sides, double jittered) {
             settings.periodic_length[static_cast<std::size_t>(d)] = size[d];
     Solver<dim, Real, SymplecticEuler, Phase> scene(settings);
     const double wave = (sides == Sides::free ? 1 : 2) * std::numbers::pi;
-    const auto phase = scene.add(
-        with_heat(material, kappa),
-        jitter<dim>(fill(Box<dim>{Point<dim>::Zero(), size}, spacing), jittered * spacing, 1), spacing);
+    const auto phase =
+        scene.add(with_heat(material, kappa),
+                  jitter<dim>(fill(Box<dim>{Point<dim>::Zero(), size}, spacing), jittered * spacing, 1), spacing);
     auto view = scene[phase];
     const auto shape = [&](int i) { return std::cos(wave * double(view[position](i, 0))); };
     for (int i = 0; i < view.size(); ++i)
@@ -89,7 +89,8 @@ double decay(Phase material, double across, Sides sides, double jittered) {
 
 TEST_CASE("A wave of heat decays as it must, in fluids and solids") {
     CHECK(decay<2>(Water{{.density = 1, .sound_speed = 1}}, 24, Sides::periodic, 0) == Approx(1).epsilon(0.01));
-    CHECK(decay<2, Water, float>({{.density = 1, .sound_speed = 1}}, 24, Sides::periodic, 0) == Approx(1).epsilon(0.01));
+    CHECK(decay<2, Water, float>({{.density = 1, .sound_speed = 1}}, 24, Sides::periodic, 0) ==
+          Approx(1).epsilon(0.01));
     CHECK(decay<3>(Water{{.density = 1, .sound_speed = 1}}, 24, Sides::periodic, 0) == Approx(1).epsilon(0.01));
     CHECK(decay<2>(Water{{.density = 1, .sound_speed = 1}}, 24, Sides::periodic, 0.2) == Approx(1).epsilon(0.02));
     CHECK(decay<2>(Rubber{{.density = 1, .sound_speed = 1, .shear_modulus = 0.3}}, 24, Sides::periodic, 0) ==
@@ -220,8 +221,8 @@ TEST_CASE("A particle that is shifted takes the enthalpy of where it comes") {
     // dh/dt = delta v . grad h: a straight line of enthalpy, particles on a lattice.
     struct Shifted : Fluid<HeatCapacity, Push, EnthalpyAdvection<K>> {};
     Solver<2, double, SymplecticEuler, Shifted> scene({.support_radius = 3, .threads = 1});
-    const auto oil = scene.add(with_heat(Shifted{{.density = 1, .sound_speed = 1}}, 1),
-                               fill(Box<2>{{0, 0}, {9, 9}}, 1), 1);
+    const auto oil =
+        scene.add(with_heat(Shifted{{.density = 1, .sound_speed = 1}}, 1), fill(Box<2>{{0, 0}, {9, 9}}, 1), 1);
     auto view = scene[oil];
     for (int i = 0; i < view.size(); ++i)
         view[enthalpy](i) = 2 * view[position](i, 0) - view[position](i, 1);

@@ -23,8 +23,8 @@ IMBIBE_INLINE constexpr auto yielding_rate(const auto& a) {
         return 0.0;
 }
 
-// Is this a step? An integrator that wants accelerations before its first one asks for them with a step of 0, in which a
-// stiff drag would be explicit.
+// Is this a step? An integrator that wants accelerations before its first one asks for them with a step of 0, in which
+// a stiff drag would be explicit.
 constexpr double acts(double time_step) {
     return time_step > 0 ? 1 : 0;
 }
@@ -36,8 +36,8 @@ constexpr double acts(double time_step) {
 ///
 /// to the implicit acceleration, in m/s^2, with the acceleration dv/dt by all other terms. Where the velocities and K
 /// are the same all over each of two phases that is the backward Euler step of their difference. Equal and opposite:
-/// momentum is conserved. No wave of the velocities grows, however large K is: twice the sum of the weights of a particle
-/// is below 2/dt, which bounds all eigenvalues (Gershgorin). A pass without a step, dt = 0, has no drag.
+/// momentum is conserved. No wave of the velocities grows, however large K is: twice the sum of the weights of a
+/// particle is below 2/dt, which bounds all eigenvalues (Gershgorin). A pass without a step, dt = 0, has no drag.
 ///
 /// What is held, and a wall, is no other velocity in a step: L_b = 0.
 ///
@@ -62,8 +62,7 @@ struct ImplicitDrag {
             using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
             const T dt(a.time_step);
             const auto rates = yielding_rate(a) + yielding_rate(b);
-            const T weight =
-                acts(a.time_step) * Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
+            const T weight = acts(a.time_step) * Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
             return weight * (expected_velocity(b, a.time_step) - expected_velocity(a, a.time_step));
         }
     };

@@ -18,15 +18,17 @@ struct BoussinesqParameters {
 
     /// Throws Error for a number out of range. @param where the phase in the message
     void check(std::string_view where) const {
-        require(std::isfinite(thermal_expansion), where, ": BoussinesqParameters::thermal_expansion = ",
-                thermal_expansion, " 1/K; it must be a finite number (water 2.1e-4 1/K)");
-        require(std::isfinite(neutral_temperature), where, ": BoussinesqParameters::neutral_temperature = ",
-                neutral_temperature, " K; it must be a finite number (room temperature 293.15 K)");
+        require(std::isfinite(thermal_expansion), where,
+                ": BoussinesqParameters::thermal_expansion = ", thermal_expansion,
+                " 1/K; it must be a finite number (water 2.1e-4 1/K)");
+        require(std::isfinite(neutral_temperature), where,
+                ": BoussinesqParameters::neutral_temperature = ", neutral_temperature,
+                " K; it must be a finite number (room temperature 293.15 K)");
     }
 };
 
-/// dv_a/dt = - beta (T_a - T_n) g, in m/s^2: the weight that a fluid lacks where it is warm. The density of its particles
-/// stays that of their pressure.
+/// dv_a/dt = - beta (T_a - T_n) g, in m/s^2: the weight that a fluid lacks where it is warm. The density of its
+/// particles stays that of their pressure.
 ///
 /// Not where beta times the differences of temperature is no longer small, above 0.1 or so: then volumes change.
 ///
@@ -49,8 +51,8 @@ struct Boussinesq {
 /// What PressureExtrapolation adds up of the weight of a fluid with Boussinesq, less what that fluid lacks of it:
 /// - rho_f beta (T_f - T_n) g.(x_a - x_f) W_af, Pa/m^3. `Into` the wall or solid, beside PressureExtrapolation.
 ///
-/// Without it the pressure of the wall rises downwards as if the fluid had no expansion, and the fluid feels at the wall
-/// a force that is not there.
+/// Without it the pressure of the wall rises downwards as if the fluid had no expansion, and the fluid feels at the
+/// wall a force that is not there.
 ///
 /// Not for a fluid without Boussinesq: its coefficients are asked for.
 ///

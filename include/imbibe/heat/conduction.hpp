@@ -68,8 +68,8 @@ struct PreparedConduction {
     double per_stiffness = 0; ///< 1/1.3 over the ConductionStiffness of it
 };
 
-/// dh_a/dt = 1/m_a sum_b V_a V_b (c_a + c_b) (theta_a - theta_b) (x_ab . grad_a W_ab)/|x_ab|^2, in W/kg, with the volumes
-/// V = m/rho, the integral theta of the conductivity over the temperature, and c = 3/(1 + 2 M), M_a = sum_b V_b
+/// dh_a/dt = 1/m_a sum_b V_a V_b (c_a + c_b) (theta_a - theta_b) (x_ab . grad_a W_ab)/|x_ab|^2, in W/kg, with the
+/// volumes V = m/rho, the integral theta of the conductivity over the temperature, and c = 3/(1 + 2 M), M_a = sum_b V_b
 /// |grad_a W_ab| |x_ab|/dim, but not so much that the exchange gets stiffer than 1.3 times that of a lattice. What one
 /// particle gives the other takes: heat is conserved to rounding. Convection needs no term: particles take their heat
 /// along.
@@ -85,8 +85,8 @@ struct PreparedConduction {
 /// A total-Lagrangian solid takes it with `Reference`: the neighbours of the stress-free solid, which are found once.
 /// Heat is then conducted as if the solid were not deformed.
 ///
-/// Not where friction heats: what viscosity takes from the motion is not given to the heat. Not with kernels whose slope
-/// does not vanish at the centre (Spiky).
+/// Not where friction heats: what viscosity takes from the motion is not given to the heat. Not with kernels whose
+/// slope does not vanish at the centre (Spiky).
 ///
 /// Source: Cleary and Monaghan (1999), Eq. (28), of an enthalpy; theta, Kirchhoff (1894); c, own.
 /// @tparam Neighbours Current or Reference
@@ -110,8 +110,8 @@ struct HeatConduction {
         Prepared prepared{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            return 1 / max((1.0 / 3) + (2.0 / 3) * a[conduction_moment],
-                           prepared.per_stiffness * a[conduction_stiffness]);
+            return 1 /
+                   max((1.0 / 3) + (2.0 / 3) * a[conduction_moment], prepared.per_stiffness * a[conduction_stiffness]);
         }
     };
     struct Conduct {
@@ -144,11 +144,11 @@ struct HeatConduction {
 
 /// dh_a/dt = 1/m_a sum_b V_a V_b (c_a + c_b) 2 k_a k_b/(k_a + k_b) (T_a - T_b) (x_ab . grad_a W_ab)/|x_ab|^2, in W/kg,
 /// between particles of two phases, with the volumes V = m/rho, the corrections c of HeatConduction, in which the other
-/// phase counts, and the conductivities k, in a mean that keeps the flux continuous where they jump. What one phase gives
-/// the other takes.
+/// phase counts, and the conductivities k, in a mean that keeps the flux continuous where they jump. What one phase
+/// gives the other takes.
 ///
-/// In the coupling of two phases with HeatConduction, and in that of one and a wall with a SurfaceTemperature, which takes
-/// the other's c. A coupling without it is insulated.
+/// In the coupling of two phases with HeatConduction, and in that of one and a wall with a SurfaceTemperature, which
+/// takes the other's c. A coupling without it is insulated.
 ///
 /// Not between surfaces that touch badly: they exchange heat as if they were one body.
 ///

@@ -10,8 +10,8 @@
 namespace imbibe {
 
 /// Heat per mass above what a particle holds at the reference temperature of its phase, J/kg: 0 where particles are
-/// added. It is integrated, and the temperature follows from it, so heat is conserved through melting as well. Of a wall
-/// it is what the wall has taken up since the start.
+/// added. It is integrated, and the temperature follows from it, so heat is conserved through melting as well. Of a
+/// wall it is what the wall has taken up since the start.
 struct Enthalpy : Field<Rank::scalar> {
     static constexpr std::string_view name = "enthalpy", unit = "J/kg";
     static constexpr std::string_view rate_name = "enthalpy_rate", rate_unit = "W/kg";
@@ -69,7 +69,9 @@ concept HeatLaw = requires(const P& law) {
 template <class Material>
 inline constexpr bool holds_heat = false;
 template <class Material>
-    requires requires(const Material& material) { material.coefficients; }
+requires requires(const Material& material) {
+    material.coefficients;
+}
 inline constexpr bool holds_heat<Material> = []<class... P>(TypeList<P...>) {
     return (HeatLaw<P> || ...);
 }(typename decltype(Material::coefficients)::List{});

@@ -6,12 +6,13 @@
 
 namespace imbibe {
 
-/// dv_a/dt = - L_a v*_a/(1 + dt D_a), L_a = A/rho_a (1 - f)^2/(f^3 + q), in m/s^2, with the liquid fraction f, the velocity
-/// v* that the particle would have at the end of the step without it, and D the sum of all such rates, L among them: a
-/// Darcy drag towards rest, backward in time, so that no step is too long. The Carman-Kozeny law of mush; ice stands still.
+/// dv_a/dt = - L_a v*_a/(1 + dt D_a), L_a = A/rho_a (1 - f)^2/(f^3 + q), in m/s^2, with the liquid fraction f, the
+/// velocity v* that the particle would have at the end of the step without it, and D the sum of all such rates, L among
+/// them: a Darcy drag towards rest, backward in time, so that no step is too long. The Carman-Kozeny law of mush; ice
+/// stands still.
 ///
-/// In a fluid beside Melting, where it freezes in a mould or skeleton that does not move, which takes up the momentum: the
-/// cheapest way to hold ice, and the stiffest.
+/// In a fluid beside Melting, where it freezes in a mould or skeleton that does not move, which takes up the momentum:
+/// the cheapest way to hold ice, and the stiffest.
 ///
 /// Not where the skeleton moves, or ice swims: FrozenDrag and FrozenStress.
 ///
@@ -36,9 +37,9 @@ struct EnthalpyPorosity : NotStiff { // implicit: no step is too long
         Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            const auto rate = detail::acts(a.time_step) * detail::mush_drag(parameters, a[liquid_fraction]) / a[density];
-            return (-rate / (1 + a.time_step * detail::yielding_rate(a))) *
-                   detail::expected_velocity(a, a.time_step);
+            const auto rate =
+                detail::acts(a.time_step) * detail::mush_drag(parameters, a[liquid_fraction]) / a[density];
+            return (-rate / (1 + a.time_step * detail::yielding_rate(a))) * detail::expected_velocity(a, a.time_step);
         }
     };
     using parts = Parts<Rate, Slow>;

@@ -15,7 +15,7 @@ namespace imbibe {
 
 /// Coefficients of FrozenDrag.
 struct FrozenDragParameters {
-    double drag = 1e7;       ///< A, kg/(m^3 s): 1e5 to 1e8, from mush that creeps to ice
+    double drag = 1e7;        ///< A, kg/(m^3 s): 1e5 to 1e8, from mush that creeps to ice
     double mush_limit = 1e-3; ///< q, without unit: what keeps the drag of ice finite, A/q
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message
@@ -56,17 +56,17 @@ struct FrozenDragLaw {
 
 } // namespace detail
 
-/// A drag between a fluid's particle a that is frozen and a particle b of a wall or solid: with K_ab = A (1 - f)^2/(f^3 +
-/// q) V_a V_b |grad_a W_ab| |x_ab|/dim, in kg/s, the liquid fraction f and volumes V = m/rho,
+/// A drag between a fluid's particle a that is frozen and a particle b of a wall or solid: with K_ab = A (1 - f)^2/(f^3
+/// + q) V_a V_b |grad_a W_ab| |x_ab|/dim, in kg/s, the liquid fraction f and volumes V = m/rho,
 ///
 ///     dv_a/dt = - 1/m_a sum_b K_ab/(1 + dt (L_a + L_b)) (v*_a - v*_b),    L_a = 1/m_a sum_b K_ab,
 ///
 /// in m/s^2, with the velocities v* that the particles would have at the end of the step without it. The step is not
 /// limited, however large A is, and momentum is conserved: the solid is pulled as hard. Where f is 1 there is no drag.
 ///
-/// In the couplings of a fluid that has Melting with solids, and `Into` the fluid in those with walls: the ice moves with
-/// what it freezes to, and holds it. It holds ice within a support radius; what is further away is held by that ice if
-/// FrozenStress stands in the fluid. Where nothing moves, EnthalpyPorosity is cheaper.
+/// In the couplings of a fluid that has Melting with solids, and `Into` the fluid in those with walls: the ice moves
+/// with what it freezes to, and holds it. It holds ice within a support radius; what is further away is held by that
+/// ice if FrozenStress stands in the fluid. Where nothing moves, EnthalpyPorosity is cheaper.
 ///
 /// Not where ice breaks off.
 ///
@@ -76,7 +76,7 @@ template <class Kernel = WendlandC2>
 struct FrozenDrag : NotStiff { // implicit: no step is too long
     static constexpr bool between_fluid_and_other = true;
     using Parameters = FrozenDragParameters;
-    using Drag = detail::ImplicitDrag<detail::FrozenDragLaw<Kernel>>;
+    using Drag = detail::ImplicitDrag<detail::FrozenDragLaw<Kernel>>; ///< its two parts
     using parts = Parts<Volume, typename Drag::Rate, typename Drag::Slow>;
 };
 

@@ -16,8 +16,8 @@ namespace imbibe {
 
 /// Coefficients of FrozenStress.
 struct FrozenStressParameters {
-    double shear_modulus = required; ///< G of what is frozen, Pa: ice has 3.5e9; as soft as the scene bears, below rho c^2,
-                                     ///< makes longer steps
+    double shear_modulus = required; ///< G of what is frozen, Pa: ice has 3.5e9; as soft as the scene bears, below rho
+                                     ///< c^2, makes longer steps
 
     /// Throws Error for a number out of range. @param where the phase in the message
     void check(std::string_view where) const {
@@ -26,16 +26,16 @@ struct FrozenStressParameters {
     }
 };
 
-/// dS/dt = (1 - f) (2 G (e - tr(e)/3 1) + S Omega^T + Omega S) - f S/dt, in Pa/s, with the liquid fraction f, the rate of
-/// deformation e and the spin Omega of the VelocityGradient, the length dt of the step; and the force of it,
-/// dv_a/dt = 1/m_a sum_b V_a V_b (S_a + S_b) grad_a W_ab, in m/s^2: JaumannStress where it is frozen, no stress where it
-/// is molten, and what is left of it in mush fades in a few steps. What freezes is free of stress as it freezes.
+/// dS/dt = (1 - f) (2 G (e - tr(e)/3 1) + S Omega^T + Omega S) - f S/dt, in Pa/s, with the liquid fraction f, the rate
+/// of deformation e and the spin Omega of the VelocityGradient, the length dt of the step; and the force of it, dv_a/dt
+/// = 1/m_a sum_b V_a V_b (S_a + S_b) grad_a W_ab, in m/s^2: JaumannStress where it is frozen, no stress where it is
+/// molten, and what is left of it in mush fades in a few steps. What freezes is free of stress as it freezes.
 ///
-/// In a fluid beside Melting and VelocityGradient: ice that bends, swims, and hangs on to walls and solids by FrozenDrag in
-/// the couplings.
+/// In a fluid beside Melting and VelocityGradient: ice that bends, swims, and hangs on to walls and solids by
+/// FrozenDrag in the couplings.
 ///
-/// Not for ice that turns by much or is sheared by much (see JaumannStress), and not where it breaks. Not with integrators
-/// of several stages, which do not say how long a step is: what melts would keep its stress.
+/// Not for ice that turns by much or is sheared by much (see JaumannStress), and not where it breaks. Not with
+/// integrators of several stages, which do not say how long a step is: what melts would keep its stress.
 ///
 /// Source: Gray, Monaghan and Swift (2001) for the rate; the share that is frozen, own.
 template <class Kernel = WendlandC2>

@@ -71,11 +71,12 @@ struct PreparedHeatFlux {
 };
 
 /// dh_a/dt = 1/rho_a factor (s_a . g_a)/|g_a|, in W/kg, with g_a = sum_b V_b grad_a W_ab over the particles b of walls
-/// that have a HeatFlux q, and s_a = sum_b q_b V_b grad_a W_ab. In the coupling with them, `Into` the fluid or solid that
-/// they heat: `Coupling<Water, Plate, Into<Water, HeatFromWalls<>>>`.
+/// that have a HeatFlux q, and s_a = sum_b q_b V_b grad_a W_ab. In the coupling with them, `Into` the fluid or solid
+/// that they heat: `Coupling<Water, Plate, Into<Water, HeatFromWalls<>>>`.
 ///
 /// |g| is the derivative of the share of the kernel that is in the wall, and sums up to 1/2 across a plane face; on the
-/// lattice of the scene the factor makes that exact. So the heat is the flux times the area, spread over a support radius.
+/// lattice of the scene the factor makes that exact. So the heat is the flux times the area, spread over a support
+/// radius.
 ///
 /// Not for walls thinner than a support radius.
 ///

@@ -31,8 +31,7 @@ struct MeltingParameters {
     /// The enthalpy at which it begins to melt, J/kg.
     constexpr double melting_enthalpy() const {
         const double above = reference_temperature - melting_temperature;
-        return above < 0 ? -above * solid_heat_capacity
-                         : -latent_heat - (above - melting_range) * liquid_heat_capacity;
+        return above < 0 ? -above * solid_heat_capacity : -latent_heat - (above - melting_range) * liquid_heat_capacity;
     }
     /// The enthalpy, J/kg, of particles of the temperature T, K, of which the share f is liquid where T is T_m.
     constexpr double enthalpy_at(double T, double f = 1) const {
@@ -62,8 +61,9 @@ struct MeltingParameters {
                             "water 3.34e5; what does not melt has a HeatCapacity instead");
         require_not_negative(melting_range, where, "MeltingParameters::melting_range", "K");
         require(std::isfinite(melting_temperature) && std::isfinite(reference_temperature), where,
-                ": MeltingParameters::melting_temperature = ", melting_temperature, " K, reference_temperature = ",
-                reference_temperature, " K; they must be finite numbers (water 273.15 K)");
+                ": MeltingParameters::melting_temperature = ", melting_temperature,
+                " K, reference_temperature = ", reference_temperature,
+                " K; they must be finite numbers (water 273.15 K)");
         const double above = reference_temperature - melting_temperature;
         require(above < 0 || above >= melting_range, where,
                 ": MeltingParameters::reference_temperature = ", reference_temperature,
@@ -103,8 +103,7 @@ struct Melting {
             const auto above = (1 / p.liquid_heat_capacity) * positive_part(h - p.latent_heat);
             const double more = p.liquid_conductivity - p.solid_conductivity;
             return values(p.melting_temperature + below + p.melting_range * f + above, p.solid_conductivity + more * f,
-                          p.solid_conductivity * below +
-                              p.melting_range * f * (p.solid_conductivity + 0.5 * more * f) +
+                          p.solid_conductivity * below + p.melting_range * f * (p.solid_conductivity + 0.5 * more * f) +
                               p.liquid_conductivity * above,
                           f);
         }

@@ -80,8 +80,8 @@ struct SurfaceTemperature {
 };
 
 /// T_a = T_w - (D/d - 1) sum_f (T_f - T_w) W_af / sum_f W_af, in K, for a particle a of a wall: the temperature of the
-/// fluid or solid before it, continued in a straight line through that of the surface, T_w, with the distances D and d of
-/// SurfaceDistance; T_w itself where nothing touches the wall. And its conductivity, the mean of what it touches.
+/// fluid or solid before it, continued in a straight line through that of the surface, T_w, with the distances D and d
+/// of SurfaceDistance; T_w itself where nothing touches the wall. And its conductivity, the mean of what it touches.
 ///
 /// Goes into the wall: `Coupling<Water, Plate, Into<Plate, TemperatureExtrapolation<>>, HeatTransfer<>>`, beside
 /// SurfaceTemperature in the wall.
@@ -104,8 +104,8 @@ struct TemperatureExtrapolation {
         }
     };
     struct Continue {
-        using reads = Fields<surface_temperature, temperature_weight, temperature_sum, conductivity_sum,
-                             temperature_offset>;
+        using reads =
+            Fields<surface_temperature, temperature_weight, temperature_sum, conductivity_sum, temperature_offset>;
         using sets = Fields<temperature, conductivity>;
         Prepared prepared{};
 

@@ -7,9 +7,10 @@
 namespace imbibe {
 
 /// d = d_1 + s (D - D_1), m: how far before the surface of a wall the fluid lies that a particle of it sees, where D =
-/// |sum_f (x_f - x_a) W_af| / sum_f W_af is how far that fluid lies from the particle. Numbers of the lattice of a scene:
-/// exact for the first two layers behind a plane face along it (0.50 to 0.58 spacings with supports of 2 to 3), linear
-/// in D. What is u there and u_w at the surface is u_w - (D/d - 1) (u - u_w) at the particle, in a straight line.
+/// |sum_f (x_f - x_a) W_af| / sum_f W_af is how far that fluid lies from the particle. Numbers of the lattice of a
+/// scene: exact for the first two layers behind a plane face along it (0.50 to 0.58 spacings with supports of 2 to 3),
+/// linear in D. What is u there and u_w at the surface is u_w - (D/d - 1) (u - u_w) at the particle, in a straight
+/// line.
 ///
 /// Source: own; distances to a known surface, Morris, Fox and Zhu (1997), section 3.5.
 struct SurfaceDistance {
