@@ -56,8 +56,8 @@ struct FrozenDragLaw {
 
 } // namespace detail
 
-/// A drag between a fluid's particle a that is frozen and a particle b of a wall or solid: with K_ab = A (1 - f)^2/(f^3
-/// + q) V_a V_b |grad_a W_ab| |x_ab|/dim, in kg/s, the liquid fraction f and volumes V = m/rho,
+/// A drag between a fluid's particle a that is frozen and a particle b of a wall or solid: with the coefficient K_ab =
+/// A g V_a V_b |grad_a W_ab| |x_ab|/dim, in kg/s, g = (1 - f)^2/(f^3 + q), the liquid fraction f and volumes V = m/rho,
 ///
 ///     dv_a/dt = - 1/m_a sum_b K_ab/(1 + dt (L_a + L_b)) (v*_a - v*_b),    L_a = 1/m_a sum_b K_ab,
 ///
