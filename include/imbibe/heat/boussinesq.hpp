@@ -48,8 +48,8 @@ struct Boussinesq {
     using parts = Parts<Rise>;
 };
 
-/// What PressureExtrapolation adds up of the weight of a fluid with Boussinesq, less what that fluid lacks of it:
-/// - rho_f beta (T_f - T_n) g.(x_a - x_f) W_af, Pa/m^3. `Into` the wall or solid, beside PressureExtrapolation.
+/// beta (T_n - T_f) rho_f g.(x_a - x_f) W_af, Pa/m^3, added to what PressureExtrapolation sums up: what a fluid with
+/// Boussinesq lacks of its weight. `Into` the wall or solid, beside PressureExtrapolation.
 ///
 /// Without it the pressure of the wall rises downwards as if the fluid had no expansion, and the fluid feels at the
 /// wall a force that is not there.
