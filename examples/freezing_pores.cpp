@@ -4,9 +4,10 @@
 // insulated. The ice grows as in a body of the mean properties (Stefan 1891, with the latent heat of the share n of
 // pores).
 //
-//   build/freezing_pores 40             with 40 particles over the height; writes out-freezing-pores,
-//   freezing-pores.csv python3 tools/render_plane.py out-freezing-pores --walls fibres plate lid --times 10 510 1510
-//   2510 --columns 4 python3 tools/plot_curves.py freezing-pores.csv
+//   build/freezing_pores                writes out-freezing-pores and freezing-pores.csv
+//   build/freezing_pores 60             with 60 instead of 40 particles over the height
+//   python3 tools/render_plane.py out-freezing-pores --walls fibres plate lid --times 10 510 1510 2510
+//   python3 tools/plot_curves.py freezing-pores.csv
 #include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 

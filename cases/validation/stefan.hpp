@@ -15,7 +15,6 @@
 
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
-#include <imbibe/geometry/tank.hpp>
 #include <imbibe/heat/conduction.hpp>
 #include <imbibe/heat/melting.hpp>
 #include <imbibe/heat/surface_temperature.hpp>

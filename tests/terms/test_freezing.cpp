@@ -22,7 +22,6 @@
 #include <catch_shim.hpp>
 
 #include <cmath>
-#include <random>
 
 namespace freezing_test {
 

@@ -25,7 +25,7 @@ IMBIBE_INLINE constexpr auto yielding_rate(const auto& a) {
 
 // Is this a step? An integrator that wants accelerations before its first one asks for them with a step of 0, in which
 // a stiff drag would be explicit.
-constexpr double acts(double time_step) {
+constexpr double in_a_step(double time_step) {
     return time_step > 0 ? 1 : 0;
 }
 
@@ -39,7 +39,7 @@ constexpr double acts(double time_step) {
 /// momentum is conserved. No wave of the velocities grows, however large K is: twice the sum of the weights of a
 /// particle is below 2/dt, which bounds all eigenvalues (Gershgorin). A pass without a step, dt = 0, has no drag.
 ///
-/// What is held, and a wall, is no other velocity in a step: L_b = 0.
+/// A wall, and what is held, keeps its velocity: L_b = 0.
 ///
 /// `Law` has `Reads`, `Parameters` and `coefficient(parameters, a, b, ab)`: symmetric, 0 for the particle itself.
 template <class Law>
@@ -62,7 +62,8 @@ struct ImplicitDrag {
             using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
             const T dt(a.time_step);
             const auto rates = yielding_rate(a) + yielding_rate(b);
-            const T weight = acts(a.time_step) * Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
+            const T weight =
+                in_a_step(a.time_step) * Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
             return weight * (expected_velocity(b, a.time_step) - expected_velocity(a, a.time_step));
         }
     };

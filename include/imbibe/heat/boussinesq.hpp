@@ -30,7 +30,7 @@ struct BoussinesqParameters {
 /// dv_a/dt = - beta (T_a - T_n) g, in m/s^2: the weight that a fluid lacks where it is warm. The density of its
 /// particles stays that of their pressure.
 ///
-/// Not where beta times the differences of temperature is no longer small, above 0.1 or so: then volumes change.
+/// Not where beta times the differences of temperature is above 0.1 or so: volumes change there.
 ///
 /// Source: Boussinesq (1903); Oberbeck (1879).
 struct Boussinesq {

@@ -52,14 +52,14 @@ IMBIBE_INLINE constexpr auto conduction_sums(const auto& b, const auto& ab) {
     return values((1 / dim) * squared_norm(ab.offset) * weight, sq(ab.support_radius) * weight);
 }
 
-// c of a pair: the mean of the two; with a wall that is kept at a temperature, that of the other.
-IMBIBE_INLINE constexpr auto pair_correction(const auto& a, const auto& b) {
+// c_a + c_b of a pair; with a wall that is kept at a temperature, twice that of the other.
+IMBIBE_INLINE constexpr auto sum_of_corrections(const auto& a, const auto& b) {
     if constexpr (!holds_heat<typename std::remove_cvref_t<decltype(a)>::Material>)
-        return b[conduction_correction];
+        return 2 * b[conduction_correction];
     else if constexpr (!holds_heat<typename std::remove_cvref_t<decltype(b)>::Material>)
-        return a[conduction_correction];
+        return 2 * a[conduction_correction];
     else
-        return 0.5 * (a[conduction_correction] + b[conduction_correction]);
+        return a[conduction_correction] + b[conduction_correction];
 }
 } // namespace detail
 
@@ -75,12 +75,12 @@ struct PreparedConduction {
 /// along.
 ///
 /// In a phase, beside HeatCapacity or Melting. What is left open, a free surface or a wall without HeatTransfer, is
-/// insulated: c makes up for the neighbours that are missing there, 1 inside. It is chosen so that heat flows along a
-/// strip of ten particles as fast as it should (0.2 %); without it, 6 % too slowly.
+/// insulated: c, 1 inside, makes up for the neighbours that are missing there. Without it heat flows half as well along
+/// such a surface. The formula is chosen so that it flows along a strip of ten particles as fast as it should, to 0.4 %
+/// (tests/terms/test_heat.cpp).
 ///
-/// With theta, the conductivity may change with the temperature and jump where the phase freezes: with 20 particles to
-/// where it comes, a front of ice that conducts three times better than the water would be 7.7 % behind with the
-/// conductivities of the pair in harmonic mean; docs/validation.md (stefan) has how far behind it is.
+/// With theta, the conductivity may change with the temperature and jump where the phase freezes (docs/validation.md,
+/// stefan). The harmonic mean of two conductivities is not right for a front that moves between two particles.
 ///
 /// A total-Lagrangian solid takes it with `Reference`: the neighbours of the stress-free solid, which are found once.
 /// Heat is then conducted as if the solid were not deformed.
@@ -120,7 +120,7 @@ struct HeatConduction {
         using adds = Fields<enthalpy_rate>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            return (2 * detail::pair_correction(a, b) * a[volume] * b[volume] / a[mass] * ab.gradient(Kernel{})) *
+            return (detail::sum_of_corrections(a, b) * a[volume] * b[volume] / a[mass] * ab.gradient(Kernel{})) *
                    (a[conduction_potential] - b[conduction_potential]);
         }
     };
@@ -169,7 +169,7 @@ struct HeatTransfer {
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             const auto mean = a[conductivity] * b[conductivity] / max(a[conductivity] + b[conductivity], 1e-30);
-            return (4 * mean * detail::pair_correction(a, b) * a[volume] * b[volume] / a[mass] *
+            return (2 * mean * detail::sum_of_corrections(a, b) * a[volume] * b[volume] / a[mass] *
                     ab.gradient(Kernel{})) *
                    (a[temperature] - b[temperature]);
         }

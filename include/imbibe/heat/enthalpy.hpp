@@ -5,13 +5,15 @@
 #include <imbibe/core/phase.hpp>
 #include <imbibe/core/term.hpp>
 
+#include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace imbibe {
 
 /// Heat per mass above what a particle holds at the reference temperature of its phase, J/kg: 0 where particles are
 /// added. It is integrated, and the temperature follows from it, so heat is conserved through melting as well. Of a
-/// wall it is what the wall has taken up since the start.
+/// wall with a SurfaceTemperature it is what the wall has taken up since the start.
 struct Enthalpy : Field<Rank::scalar> {
     static constexpr std::string_view name = "enthalpy", unit = "J/kg";
     static constexpr std::string_view rate_name = "enthalpy_rate", rate_unit = "W/kg";
@@ -76,14 +78,14 @@ inline constexpr bool holds_heat<Material> = []<class... P>(TypeList<P...>) {
     return (HeatLaw<P> || ...);
 }(typename decltype(Material::coefficients)::List{});
 
-// Calls f(law) with those of a phase, if a term of it has such parameters. @return has one?
-constexpr bool with_heat_law(const auto& material, const auto& f) {
-    return [&]<class... P>(TypeList<P...>) {
-        return ([&] {
-            if constexpr (HeatLaw<P>)
-                f(material.coefficients.template get<P>());
-            return HeatLaw<P>;
-        }() || ...);
+// Calls f(law) with those of a phase, if a term of it has such parameters.
+constexpr void with_heat_law(const auto& material, const auto& f) {
+    [[maybe_unused]] const auto one = [&]<class P>(std::type_identity<P>) {
+        if constexpr (HeatLaw<P>)
+            f(material.coefficients.template get<P>());
+    };
+    [&]<class... P>(TypeList<P...>) {
+        (one(std::type_identity<P>{}), ...);
     }(typename std::remove_cvref_t<decltype(material.coefficients)>::List{});
 }
 

@@ -9,8 +9,8 @@ namespace imbibe {
 
 /// dh_a/dt = sum_b V_b (delta v_a . grad_a W_ab) (h_b - h_a), in W/kg, with the transport correction delta v of
 /// ParticleShifting or StrainShifting: what the enthalpy of the fluid changes by along the way that a particle is moved
-/// beside it. Without this a particle takes its heat along to where the fluid does not flow: a cavity of 40 particles
-/// across that is heated from a side passes 1 to 2 % less (docs/validation.md, heated-cavity, is with it).
+/// beside it. Without this a particle takes its heat along to where the fluid does not flow: docs/validation.md,
+/// heated-cavity, has what that does to natural convection.
 ///
 /// In a fluid that conducts heat and whose particles are shifted.
 ///

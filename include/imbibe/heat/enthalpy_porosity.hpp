@@ -38,7 +38,7 @@ struct EnthalpyPorosity : NotStiff { // implicit: no step is too long
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             const auto rate =
-                detail::acts(a.time_step) * detail::mush_drag(parameters, a[liquid_fraction]) / a[density];
+                detail::in_a_step(a.time_step) * detail::mush_drag(parameters, a[liquid_fraction]) / a[density];
             return (-rate / (1 + a.time_step * detail::yielding_rate(a))) * detail::expected_velocity(a, a.time_step);
         }
     };

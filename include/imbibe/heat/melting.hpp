@@ -76,7 +76,8 @@ struct MeltingParameters {
 /// fraction f_a = (h_a - h_m)/L from 0 to 1 and the range T_r, and T_m + T_r + (h_a - h_m - L)/c_l above, in K. And the
 /// conductivity, (1 - f) k_s + f k_l, and its integral from T_m on, the potential of the flux.
 ///
-/// In place of HeatCapacity. How what is frozen holds together is another term's: FrozenDrag.
+/// In place of HeatCapacity. What is frozen flows as before without a term that holds it: EnthalpyPorosity, or
+/// FrozenStress with FrozenDrag.
 ///
 /// Not where it freezes below the melting point first (supercooling), and not where ice must swell against what is
 /// around it: the density is the same.

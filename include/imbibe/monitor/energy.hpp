@@ -80,7 +80,7 @@ double elastic_energy(const View& phase) {
 }
 
 /// sum_a m_a h_a, J: the heat of a phase with HeatCapacity or Melting above that at its reference temperature, and what a
-/// wall with a SurfaceTemperature has taken up. Over all phases of a scene without HeatFromWalls it does not change.
+/// wall with a SurfaceTemperature has taken up. Over all phases of a scene without HeatFromWalls and EnthalpyAdvection it does not change.
 template <class View>
 double thermal_energy(const View& phase) {
     return reduced<Sum<ThermalEnergy>>(phase);

@@ -123,7 +123,8 @@ constexpr auto first_with_implicit(TypeList<P, Rest...>) {
     else
         return first_with_implicit<Scene>(TypeList<Rest...>{});
 }
-/// The same for the phases and terms of a scene that an integrator names, and for implicit terms.
+/// True, or a compile error: the scene has the phases and terms that an integrator names, and implicit terms only where
+/// it allows them.
 template <class Scene, class Integrator>
 constexpr bool check_integrator() {
     using Implicit = typename decltype(first_with_implicit<Scene>(typename Scene::Phases{}))::type;
