@@ -89,6 +89,8 @@ struct WaterBelow : WaterWith<> {};
 struct Drop : WaterWith<InterfaceForce<K>> {};
 struct DropBelow : WaterWith<InterfaceForce<K>> {};
 struct Warm : WaterWith<Melting, HeatConduction<K>, Boussinesq> {};
+struct Seeping : Fluid<InPores<>, VolumeContinuity<K>, VolumePressure<K>, PoreDensityDiffusion<K>> {};
+struct SpongeSlab : PlateWith<PorousSkeleton> {};
 struct HotFloor : Wall<SurfaceTemperature> {};
 struct Heater : Wall<HeatFlux> {};
 template <class Below, class... Term>
@@ -130,6 +132,8 @@ struct WarmFloorFrozen : ExtrapolationOf<Warm, Floor, Into<Warm, FrozenDrag<K>>>
 struct WarmFloorHeated : ExtrapolationOf<Warm, Heater, Into<Warm, HeatFromWalls<K>>> {};
 struct WarmFloorHot
     : ExtrapolationOf<Warm, HotFloor, Into<HotFloor, TemperatureExtrapolation<K>>, HeatTransfer<K>> {};
+struct SlabSeeping : Coupling<Seeping, SpongeSlab, Into<SpongeSlab, PressureExtrapolation<K>>,
+                              Into<Seeping, PoreSpace<K>>, PorePressure<K>, DarcyDrag<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -138,9 +142,12 @@ struct SlabRepulsion : Contact<Slab, KernelRepulsion<>> {};
 
 template <class P>
 P material() {
-    if constexpr (requires(P p) { p.shear_modulus; })
-        return P{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
-    else {
+    if constexpr (requires(P p) { p.shear_modulus; }) {
+        P solid{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
+        if constexpr (detail::contains<PorousSkeleton, typename P::terms>)
+            solid.set(PorousSkeletonParameters{.porosity = 0.5});
+        return solid;
+    } else {
         P fluid{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
         if constexpr (std::is_same_v<P, WaterRelaxed>)
             fluid.set(SummationRelaxationParameters{.time = 1}); // it has no default
@@ -352,6 +359,10 @@ Cases all_cases() {
                               "walls at a temperature");
     add<Slab, OnTop<Water, Slab>>(cases, "the plain fluid on a total-Lagrangian slab that it does not see",
                                   "what the rows below are compared with");
+    add_contact<SlabSeeping>(cases,
+                             "`InPores`, `PoreDensityDiffusion`, `PorousSkeleton`, `PressureExtrapolation`, `PoreSpace`, "
+                             "`PorePressure` and `DarcyDrag`",
+                             "a slab whose pores are too small to resolve");
     add_contact<SlabExtrapolation>(
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two",
         "pressure without a number to choose");

@@ -40,6 +40,7 @@
 #include <cases/validation/stiff_plate.hpp>
 #include <cases/validation/still_water.hpp>
 #include <cases/validation/taylor_green.hpp>
+#include <cases/validation/terzaghi.hpp>
 #include <cases/validation/turek_hron.hpp>
 #include <cases/validation/turek_hron_flow.hpp>
 #include <cases/validation/turned_beam.hpp>
@@ -74,6 +75,7 @@ int main(int argc, char** argv) {
         {"one-pore", "particles over the radius", {4, 6, 8}, one_pore::measure},
         {"orifice", "particles over the slot", {10, 20}, orifice::measure},
         {"consolidation", "particles over the layer", {10, 20, 40}, consolidation::measure},
+        {"terzaghi", "particles over half of the layer", {20, 40}, terzaghi::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"heated-cavity", "particles along a side", {20, 40}, heated_cavity::measure},
         {"stefan", "particles in a length of 1", {20, 40, 80}, stefan::measure},

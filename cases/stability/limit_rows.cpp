@@ -69,6 +69,10 @@ void add_limits(Table& table) {
     }
     row("HeatTransfer, ten times the conductivity", "two layers of heat",
         [](const Plan& p) { return warm_layers(p, 10); });
+    row("PorePressure, porosity 0.3", "shaken skeleton, light, full of water",
+        [](const Plan& p) { return shaken_foam(p, 0.3); });
+    row("PorePressure, porosity 0.6", "shaken skeleton, light, full of water",
+        [](const Plan& p) { return shaken_foam(p, 0.6); });
     row("FrozenStress, G = 3 rho c^2", "shaken box of ice", [](const Plan& p) { return shaken_box(p, frozen(), 2.6); });
     row("FrozenStress, G = 3 rho c^2", "disordered shaken box of ice",
         [=](const Plan& p) { return shaken_box(p, frozen(), 2.6, disorder); });

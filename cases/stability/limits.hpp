@@ -18,6 +18,9 @@
 #include <imbibe/heat/heat_capacity.hpp>
 #include <imbibe/heat/surface_temperature.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
+#include <imbibe/mixture/darcy_drag.hpp>
+#include <imbibe/mixture/fill_pores.hpp>
+#include <imbibe/mixture/pore_pressure.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/time/dual_stepping.hpp>
@@ -170,6 +173,25 @@ inline Outcome warm_layers(const Plan& plan, double better) {
     const auto phase = scene.add(warm<Warm>(1), sph::fill(sph::Box<2>{{0, 0}, {across, across / 2}}, dx), dx);
     scene.add(warm<Warmer>(better), sph::fill(sph::Box<2>{{0, across / 2}, {across, across}}, dx), dx);
     return march_warm<2>(scene, phase, plan);
+}
+
+struct Seeping : sph::Fluid<sph::InPores<>, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>, sph::PoreDensityDiffusion<C2>> {};
+struct Foam : sph::Solid<sph::TotalLagrangianSolid<sph::PorousSkeleton<>, C2>> {};
+struct InFoam : sph::Coupling<Seeping, Foam, sph::Into<Seeping, sph::PoreSpace<C2>>,
+                              sph::Into<Foam, sph::PoreContents<C2>>, sph::PorePressure<C2>, sph::DarcyDrag<C2>> {};
+/// A periodic square of water in a soft skeleton that is a tenth as heavy, which is shaken.
+inline Outcome shaken_foam(const Plan& plan, double porosity, double density) {
+    constexpr double across = 16 * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, Seeping, Foam, InFoam> scene(
+        {.support_radius = 3 * dx, .periodic_length = {across, across}, .threads = 1});
+    const auto places = sph::fill(sph::Box<2>{{0, 0}, {across, across}}, dx);
+    const auto water = scene.add(Seeping{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}}, places, dx);
+    auto foam = elastic<Foam>(1e4, 0.3, density);
+    foam.set(sph::PorousSkeletonParameters{.porosity = porosity});
+    const auto body = scene.add(foam, places, dx);
+    scene.template coupling<InFoam>().set(sph::DarcyDragParameters{.permeability = 1e-9});
+    sph::fill_pores(scene, water, body);
+    return march_shaken<2>(scene, body, 1e-3, plan);
 }
 
 struct Ice : Liquid<sph::Melting, sph::HeatConduction<C2>, sph::VelocityGradient<C2>, sph::FrozenStress<C2>> {};

@@ -55,6 +55,10 @@
 #include <imbibe/methods/riemann_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/methods/weakly_compressible.hpp>
+#include <imbibe/mixture/darcy_drag.hpp>
+#include <imbibe/mixture/fill_pores.hpp>
+#include <imbibe/mixture/pore_pressure.hpp>
+#include <imbibe/mixture/pore_space.hpp>
 #include <imbibe/monitor/displacement.hpp>
 #include <imbibe/monitor/dynamic_relaxation.hpp>
 #include <imbibe/monitor/energy.hpp>

@@ -35,6 +35,14 @@ struct SupportedShare : Field<Rank::scalar> {
 };
 inline constexpr SupportedShare supported_share{};
 
+/// The share n of the space that a fluid has, without unit: 1 but in the pores of a skeleton. Its density is the mass in
+/// all of the space, n times that of the fluid itself.
+struct Porosity : Field<Rank::scalar> {
+    static constexpr std::string_view name = "porosity", unit = "1";
+    static constexpr bool shown = true;
+};
+inline constexpr Porosity porosity{};
+
 /// How fast implicit drags slow a particle down against what surrounds it, 1/s: the sum of their coefficients over the
 /// particle's mass.
 struct DragRate : Field<Rank::scalar> {

@@ -320,6 +320,16 @@ constexpr bool has_effect_on(TypeList<T...>) {
     };
     return ((acts_on<P, T> && has(std::type_identity<typename Listed<T>::Term>{})) || ...);
 }
+// Has a coupling with these terms one whose two phases are meant to be in the same place?
+template <class... T>
+constexpr bool overlaps(TypeList<T...>) {
+    [[maybe_unused]] const auto does = []<class Term>(std::type_identity<Term>) {
+        return requires {
+            requires Term::overlapping;
+        };
+    };
+    return (does(std::type_identity<typename Listed<T>::Term>{}) || ...);
+}
 // Has a coupling with these terms one whose limit asks for the nearest pair? That is a repulsion.
 template <class... T>
 constexpr bool asks_for_nearest(TypeList<T...>) {

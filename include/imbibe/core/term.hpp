@@ -38,6 +38,8 @@
 //   - `using reductions = Parts<...>`: what its fields are summed up to, or are at most or least, see Sum, Max and Min;
 //   - `static constexpr bool changes_volume = true`: its rate of the density ties that to where the particles are, and
 //     is not taken out of the volume of a fluid that fills a periodic box (closed_fluid.hpp);
+//   - `static constexpr bool overlapping = true`, in couplings: the two phases are meant to be in the same place, as a
+//     skeleton and the fluid in its pores;
 //   - `using pressure_kernel`: the kernel of a pressure force whose lattice resists shear (Lattice::shear_stiffness);
 //   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,

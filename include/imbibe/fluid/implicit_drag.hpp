@@ -41,29 +41,28 @@ constexpr double in_a_step(double time_step) {
 ///
 /// A wall, and what is held, keeps its velocity: L_b = 0.
 ///
-/// `Law` has `Reads`, `Parameters` and `coefficient(parameters, a, b, ab)`: symmetric, 0 for the particle itself.
+/// `Law` has `Reads`, `Numbers` with the members of a part that hold its `parameters` and what it prepares, and
+/// `coefficient(numbers, a, b, ab)`: symmetric, 0 for the particle itself.
 template <class Law>
 struct ImplicitDrag {
-    struct Rate {
+    struct Rate : Law::Numbers {
         using reads = Concat<Fields<mass>, typename Law::Reads>;
         using adds = Fields<drag_rate>;
-        typename Law::Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            return Law::coefficient(parameters, a, b, ab) / a[mass];
+            return Law::coefficient(*this, a, b, ab) / a[mass];
         }
     };
-    struct Slow {
+    struct Slow : Law::Numbers {
         using reads = Concat<Fields<mass, velocity, acceleration, mobility, drag_rate>, typename Law::Reads>;
         using adds = Fields<implicit_acceleration>;
-        typename Law::Parameters parameters{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             using T = typename std::remove_cvref_t<decltype(a)>::Scalar;
             const T dt(a.time_step);
             const auto rates = yielding_rate(a) + yielding_rate(b);
             const T weight =
-                in_a_step(a.time_step) * Law::coefficient(parameters, a, b, ab) / (a[mass] * (1 + dt * rates));
+                in_a_step(a.time_step) * Law::coefficient(*this, a, b, ab) / (a[mass] * (1 + dt * rates));
             return weight * (expected_velocity(b, a.time_step) - expected_velocity(a, a.time_step));
         }
     };

@@ -44,12 +44,14 @@ IMBIBE_INLINE constexpr auto liquid_of_pair(const auto& a, const auto& b) {
 // K_ab of FrozenDrag.
 template <class Kernel>
 struct FrozenDragLaw {
-    using Parameters = FrozenDragParameters;
+    struct Numbers {
+        FrozenDragParameters parameters{};
+    };
     using Reads = Fields<volume, liquid_fraction>;
 
-    IMBIBE_INLINE static constexpr auto coefficient(const Parameters& p, const auto& a, const auto& b, const auto& ab) {
+    IMBIBE_INLINE static constexpr auto coefficient(const Numbers& of, const auto& a, const auto& b, const auto& ab) {
         constexpr double dim = decltype(ab.offset)::size;
-        return (-1 / dim) * mush_drag(p, liquid_of_pair(a, b)) * (a[volume] * b[volume]) *
+        return (-1 / dim) * mush_drag(of.parameters, liquid_of_pair(a, b)) * (a[volume] * b[volume]) *
                (squared_norm(ab.offset) * ab.gradient(Kernel{}));
     }
 };

@@ -181,7 +181,10 @@ void Guard<dim>::look_at(const Run<Real>& scene, const Phase<Real>& phase) const
     }
     if (phase.row->density >= 0) {
         const double rest = phase.numbers().density;
-        const auto rho = detail::extremes_of(detail::numbers_in(phase, phase.row->density));
+        std::vector<double> densities(static_cast<std::size_t>(phase.size()));
+        for (int i = 0; i < phase.size(); ++i)
+            densities[static_cast<std::size_t>(i)] = phase.own_density(i);
+        const auto rho = detail::extremes_of(std::span<const double>(densities));
         const bool thin = rho.least / rest < settings_.least_density;
         if (thin || rho.most / rest > settings_.greatest_density) {
             const double found = thin ? rho.least : rho.most;

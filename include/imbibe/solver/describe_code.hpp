@@ -44,8 +44,7 @@ std::string stiffness_in_words(const PhaseStore<dim, Real>& s, const TypesInWord
     const PhaseNumbers numbers = s.numbers();
     double pressure = 0; // from the density, as it is before the first step too
     for (int i = 0; i < s.size(); ++i)
-        pressure = std::max(pressure, sq(numbers.sound_speed) *
-                                          std::abs(static_cast<double>(s.column(s.row->density)[i]) - numbers.density));
+        pressure = std::max(pressure, sq(numbers.sound_speed) * std::abs(s.own_density(i) - numbers.density));
     const double modulus = std::abs(words.shear_stiffness) * pressure; // Pa
     if (modulus == 0 || words.viscosity == 0)
         return {};

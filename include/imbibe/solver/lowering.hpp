@@ -72,6 +72,7 @@ public:
                                   .transport_correction = column<TransportCorrection>,
                                   .supported_share = column<SupportedShare>,
                                   .implicit_acceleration = column<ImplicitAcceleration>,
+                                  .porosity = column<Porosity>,
                                   .material = &any_of<P>,
                                   .numbers = &numbers};
 };
@@ -105,6 +106,7 @@ class IMBIBE_PER_BUILD Lowering {
         return {CouplingRow{.name = &name_of_coupling<C>,
                             .first = index<typename C::First>,
                             .second = index<typename C::Second>,
+                            .overlaps = overlaps(typename C::terms{}),
                             .asks_for_nearest = asks_for_nearest(typename C::terms{}),
                             .first_counts_no_second = counts_no_other<C, typename C::First>,
                             .second_counts_no_first = counts_no_other<C, typename C::Second>,

@@ -44,6 +44,11 @@ public:
 
     PhaseNumbers numbers() const { return row->numbers(material); }
     int size() const { return n; }
+    /// The density of what particle i consists of, kg/m^3: in the pores of a skeleton not that of all of the space.
+    double own_density(int i) const {
+        const double share = row->porosity >= 0 ? static_cast<double>(column(row->porosity)[i]) : 1; // 0: not set yet
+        return static_cast<double>(column(row->density)[i]) / (share > 0 ? share : 1);
+    }
     Real* data() { return values.data(); }
     const Real* data() const { return values.data(); }
     std::size_t stride() const { return step; }

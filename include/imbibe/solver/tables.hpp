@@ -51,7 +51,7 @@ struct PhaseRow {
     bool fluid = false;
     int position = -1, reference_position = -1, velocity = -1, acceleration = -1, mass = -1;
     int density = -1, density_rate = -1, mobility = -1, transport_correction = -1, supported_share = -1;
-    int implicit_acceleration = -1;
+    int implicit_acceleration = -1, porosity = -1;
     std::any (*material)() = nullptr; ///< one that nobody has given numbers yet
     PhaseNumbers (*numbers)(const std::any& material) = nullptr;
 
@@ -70,6 +70,7 @@ struct PhaseRow {
 struct CouplingRow {
     std::string (*name)() = nullptr; ///< among all couplings of the scene
     int first = 0, second = 0;       ///< its phases
+    bool overlaps = false;           ///< are the two meant to be in the same place?
     bool asks_for_nearest = false;   ///< the distance of their nearest particles: it has a repulsion
     /// Is the first one, or the second, a fluid that is pushed by pressure, whose density follows from its motion and
     /// does not count the other?

@@ -153,7 +153,7 @@ void note_doubts_of_scene(Warnings& warnings, const Neighbourhood<dim, Real>& sc
     for (std::size_t k = 0; k < couplings.size(); ++k) {
         const CouplingRow& row = couplings[k];
         const Link* const link = scene.link_of_coupling(static_cast<int>(k));
-        if (link == nullptr)
+        if (link == nullptr || row.overlaps)
             continue;
         warnings.note(warning_of_overlap(*link, scene, origin));
         const Outline &a = outline[row.first], &b = outline[row.second];

@@ -1,0 +1,105 @@
+// The drag of a skeleton on the fluid in its pores, and of the fluid on the skeleton.
+#pragma once
+
+#include <imbibe/core/error.hpp>
+#include <imbibe/core/lattice.hpp>
+#include <imbibe/fluid/implicit_drag.hpp>
+#include <imbibe/mixture/porous_skeleton.hpp>
+
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+namespace imbibe {
+
+/// Coefficients of DarcyDrag.
+struct DarcyDragParameters {
+    double permeability = required; ///< k of the stress-free skeleton, m^2: a kitchen sponge 1e-9, sand 1e-11
+    double forchheimer_length = 0;  ///< c_F sqrt(k), m: of inertia, with c_F = 0.55 for packed grains (Ward 1964)
+
+    /// Throws Error for a number out of range. @param where the coupling in the message
+    void check(std::string_view where) const {
+        require(
+            std::isfinite(permeability) && permeability > 0, where,
+            ": DarcyDragParameters::permeability = ", permeability, " m^2",
+            permeability == required ? " (not given)" : "",
+            "; it must be a finite number above 0 m^2 (a kitchen sponge 1e-9, sand 1e-11; permeability() measures it)");
+        require_not_negative(forchheimer_length, where, "DarcyDragParameters::forchheimer_length", "m");
+    }
+};
+
+/// What DarcyDrag computes of the lattice.
+struct PreparedDarcyDrag {
+    double per_moment = 1; ///< 1 over sum_b V_b |grad_a W_ab| |x_ab|: 1/dim, but for some per cent
+};
+
+namespace detail {
+
+// Of the two of a pair the one that is a fluid, or is none.
+template <bool fluid, class A, class B>
+IMBIBE_INLINE constexpr const auto& one_of(const A& a, const B& b) {
+    if constexpr (is_fluid<typename A::Material> == fluid)
+        return a;
+    else
+        return b;
+}
+
+// K_ab of DarcyDrag.
+template <class Kernel>
+struct DarcyLaw {
+    struct Numbers {
+        DarcyDragParameters parameters{};
+        PreparedDarcyDrag prepared{};
+    };
+    using Reads = Fields<volume, present_volume, porosity, velocity>;
+
+    IMBIBE_INLINE static constexpr auto coefficient(const Numbers& of, const auto& a, const auto& b, const auto& ab) {
+        const DarcyDragParameters& p = of.parameters;
+        const auto& f = one_of<true>(a, b);
+        const auto& s = one_of<false>(a, b);
+        const double n_0 = s.material.coefficients.template get<PorousSkeletonParameters>().porosity;
+        const auto n = f[porosity];
+        // Kozeny and Carman: k/k_0 = (n/n_0)^3 ((1 - n_0)/(1 - n))^2; so n^2/k, with which the drag vanishes at n = 1.
+        const auto per_permeability = sq((1 - n) / (1 - n_0)) * power<3>(n_0) / (p.permeability * max(n, 1e-3));
+        const auto speed = sqrt(squared_norm(f[velocity] - s[velocity]));
+        const auto eta = f.material.viscosity + p.forchheimer_length * f.material.density * n * speed;
+        return -of.prepared.per_moment * eta * per_permeability * f[volume] * s[present_volume] *
+               (squared_norm(ab.offset) * ab.gradient(Kernel{}));
+    }
+};
+
+} // namespace detail
+
+/// A drag between a fluid's particle a and a particle b of a PorousSkeleton whose pores it fills: with
+///
+///     K_ab = (n^2 eta/k) V_a V_b |grad_a W_ab| |x_ab|/M,    k = k_0 (n/n_0)^3 ((1 - n_0)/(1 - n))^2,
+///
+/// in kg/s, the porosity n at the fluid, its viscosity eta, the volumes V in all of the space and the sum M of what
+/// stands beside them over a lattice: n^2 eta/k times the difference of the velocities per volume (Darcy 1856),
+/// implicit, so that no step is too long, and equal and opposite. A Forchheimer drag adds c_F sqrt(k_0) n rho |v_f -
+/// v_s| to eta.
+///
+/// In the coupling of a fluid with InPores and a skeleton.
+///
+/// Not where pores are some spacings wide.
+///
+/// Source: Darcy (1856); Forchheimer (1901); Kozeny (1927) and Carman (1937) for k; the implicit form, own.
+template <class Kernel = WendlandC2>
+struct DarcyDrag : NotStiff { // implicit: no step is too long
+    using Parameters = DarcyDragParameters;
+    using Prepared = PreparedDarcyDrag;
+    static constexpr bool between_fluid_and_other = true;
+    static constexpr bool needs_viscosity = true;
+    using Drag = detail::ImplicitDrag<detail::DarcyLaw<Kernel>>;
+    using parts = Parts<Volume, typename Drag::Rate, typename Drag::Slow>;
+
+    /// Of the scene's lattice.
+    template <int dim>
+    static Prepared prepare(const auto&, const auto&, const Lattice<dim>& lattice, const Parameters&) {
+        const double all =
+            lattice.volume() * lattice.sum([](const auto& ab) { return -sq(ab.distance) * ab.gradient(Kernel{}); });
+        return {.per_moment = all > 0 ? 1 / all : 0};
+    }
+};
+
+} // namespace imbibe

@@ -1,0 +1,98 @@
+// How the fluid in the pores of a skeleton and the skeleton push each other.
+#pragma once
+
+#include <imbibe/mixture/in_pores.hpp>
+#include <imbibe/mixture/porous_skeleton.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace imbibe {
+
+/// The forces by which the pore pressure p does work as the porosity n of PoreSpace changes with the places of the
+/// particles: on a particle a of the fluid
+///
+///     F_a = - V_a p_a sum_b (v_b - s_a V_b)/max(B_a, 0.95) grad_a W_ab, in N,
+///
+/// with its volume V_a = m/rho, s = 1 - n where B > 0.95 and 0 outside, and the opposite on each particle b of the
+/// skeleton with its solid and present volume v and V. As the porosity changes by the deformation of the skeleton:
+/// PoreContents.
+///
+/// Together with VolumePressure, by which the fluid in pores is pushed by - grad(n p), the fluid has - n grad p, and the
+/// skeleton - (1 - n) grad p, its buoyancy. All of it is the derivative of the energy that InPores stores, so energy is
+/// lost to no one. In a skeleton that is the same everywhere F is 0 pair by pair, wherever the particles lie.
+///
+/// In the coupling of a fluid with InPores and a solid with PorousSkeleton: `PoreSpace`, `PoreContents`, this and
+/// `DarcyDrag`, which CouplingOf lists for a PorousFluid.
+///
+/// Not with walls: those push as if there were no skeleton.
+///
+/// Source: the equations, Biot (1941); the sums, own, by virtual work.
+template <class Kernel = WendlandC2>
+struct PorePressure {
+    static constexpr bool between_fluid_and_other = true, overlapping = true;
+    struct Push {
+        using reads = Fields<mass, volume, pore_pressure, porosity, skeleton_sum, solid_volume, present_volume>;
+        using adds = Fields<acceleration>;
+
+        // V_a p_a (v_b - s_a V_b)/max(B_a, 0.95)
+        IMBIBE_INLINE static constexpr auto strength(const auto& fluid, const auto& skeleton) {
+            return fluid[volume] * fluid[pore_pressure] * detail::per_solid_sum(fluid) *
+                   (skeleton[solid_volume] - detail::inner_solid_share(fluid) * skeleton[present_volume]);
+        }
+        IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
+            if constexpr (detail::is_fluid<typename std::remove_cvref_t<decltype(a)>::Material>)
+                return along(ab, -(strength(a, b) * ab.gradient(Kernel{}) / a[mass]));
+            else
+                return along(ab, -(strength(b, a) * ab.gradient(Kernel{}) / a[mass]));
+        }
+    };
+    using parts = Parts<Volume, Push>;
+
+    static constexpr const char* limit_name = "pore pressure";
+    /// max(spacing, 0.6 H)/(c + v), s, with c^2 = c_f^2 (1 + 0.36 (1 - n)^2 rho_f/(n rho_s)) + c_s^2, the fluid's speed
+    /// of sound c_f, the skeleton's porosity n, the density rho_s of all of it and its speed of longitudinal waves c_s:
+    /// sound in the two together. 0.36, in place of 1 of waves that are long, is that of interface_time_step.
+    static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
+        if constexpr (!detail::is_fluid<std::remove_cvref_t<decltype(material_a)>>)
+            return time_step_limit(material_b, material_a, in);
+        else {
+            const double n = material_b.coefficients.template get<PorousSkeletonParameters>().porosity;
+            const double together = 1 + 0.36 * sq(1 - n) * material_a.density / (n * material_b.density);
+            const double c =
+                std::sqrt(sq(material_a.sound_speed) * together + sq(material_b.longitudinal_wave_speed()));
+            return std::max(std::min(in.spacing, in.other_spacing), 0.6 * in.support_radius) /
+                   (c + std::max(in.max_speed, in.other_max_speed));
+        }
+    }
+};
+
+/// What the pores of a particle b of a skeleton hold: the sum_a V_a W_ab of the volumes V = m/rho of the fluid's
+/// particles a, which Saturation is made of, and
+///
+///     q_b = sum_a V_a p_a s_a/B_a W_ab, in Pa,
+///
+/// with the names of PorePressure: the stress (1 - n) p with which the fluid resists that the skeleton's volume changes.
+///
+/// Goes `Into` the skeleton, beside PorePressure.
+///
+/// Not without PorePressure: the two are the derivative of one energy.
+///
+/// Source: that of PorePressure.
+template <class Kernel = WendlandC2>
+struct PoreContents {
+    static constexpr bool one_sided = true;
+    struct Sum { // a: skeleton, b: fluid
+        using reads = Fields<volume, pore_pressure, porosity, skeleton_sum>;
+        using adds = Fields<fluid_sum, pore_stress>;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
+            const auto share = b[volume] * ab.value(Kernel{});
+            return values(share, share * b[pore_pressure] * detail::inner_solid_share(b) * detail::per_solid_sum(b));
+        }
+    };
+    using parts = Parts<Volume, Sum>;
+};
+
+} // namespace imbibe
