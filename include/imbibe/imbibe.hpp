@@ -53,12 +53,15 @@
 #include <imbibe/methods/capillary_fluid.hpp>
 #include <imbibe/methods/corrected_gradients.hpp>
 #include <imbibe/methods/riemann_fluid.hpp>
+#include <imbibe/methods/seeping_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/methods/weakly_compressible.hpp>
 #include <imbibe/mixture/darcy_drag.hpp>
 #include <imbibe/mixture/fill_pores.hpp>
+#include <imbibe/mixture/in_pores.hpp>
 #include <imbibe/mixture/pore_pressure.hpp>
 #include <imbibe/mixture/pore_space.hpp>
+#include <imbibe/mixture/porous_skeleton.hpp>
 #include <imbibe/monitor/displacement.hpp>
 #include <imbibe/monitor/dynamic_relaxation.hpp>
 #include <imbibe/monitor/energy.hpp>

@@ -10,17 +10,17 @@
 
 namespace imbibe {
 
-/// The forces by which the pore pressure p does work as the porosity n of PoreSpace changes with the places of the
-/// particles: on a particle a of the fluid
+/// The forces by which the pore pressure p, and the wetting, do work as the porosity n of PoreSpace changes with the
+/// places of the particles: on a particle a of the fluid
 ///
-///     F_a = - V_a p_a sum_b (v_b - s_a V_b)/max(B_a, 0.95) grad_a W_ab, in N,
+///     F_a = - V_a (p_a - kappa) sum_b (v_b - s_a V_b)/max(B_a, 0.95) grad_a W_ab, in N,
 ///
-/// with its volume V_a = m/rho, s = 1 - n where B > 0.95 and 0 outside, and the opposite on each particle b of the
-/// skeleton with its solid and present volume v and V. As the porosity changes by the deformation of the skeleton:
-/// PoreContents.
+/// with its volume V_a = m/rho, the wetting kappa, s = 1 - n where B > 0.95 and 0 outside, and the opposite on each
+/// particle b of the skeleton with its solid and present volume v and V. As the porosity changes by the deformation of
+/// the skeleton: PoreContents.
 ///
-/// Together with VolumePressure, by which the fluid in pores is pushed by - grad(n p), the fluid has - n grad p, and the
-/// skeleton - (1 - n) grad p, its buoyancy. All of it is the derivative of the energy that InPores stores, so energy is
+/// Together with VolumePressure, by which the fluid is pushed by - grad P, the fluid has - n grad p, and the skeleton
+/// - (1 - n) grad p, its buoyancy. All of it is the derivative of the energy that InPores stores, so energy is
 /// lost to no one. In a skeleton that is the same everywhere F is 0 pair by pair, wherever the particles lie.
 ///
 /// In the coupling of a fluid with InPores and a solid with PorousSkeleton: `PoreSpace`, `PoreContents`, this and
@@ -33,12 +33,13 @@ template <class Kernel = WendlandC2>
 struct PorePressure {
     static constexpr bool between_fluid_and_other = true, overlapping = true;
     struct Push {
-        using reads = Fields<mass, volume, pore_pressure, porosity, skeleton_sum, solid_volume, present_volume>;
+        using reads =
+            Fields<mass, volume, pore_pressure, wetting, porosity, skeleton_sum, solid_volume, present_volume>;
         using adds = Fields<acceleration>;
 
-        // V_a p_a (v_b - s_a V_b)/max(B_a, 0.95)
+        // V_a (p_a - kappa) (v_b - s_a V_b)/max(B_a, 0.95)
         IMBIBE_INLINE static constexpr auto strength(const auto& fluid, const auto& skeleton) {
-            return fluid[volume] * fluid[pore_pressure] * detail::per_solid_sum(fluid) *
+            return fluid[volume] * (fluid[pore_pressure] - fluid[wetting]) * detail::per_solid_sum(fluid) *
                    (skeleton[solid_volume] - detail::inner_solid_share(fluid) * skeleton[present_volume]);
         }
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
@@ -71,9 +72,10 @@ struct PorePressure {
 /// What the pores of a particle b of a skeleton hold: the sum_a V_a W_ab of the volumes V = m/rho of the fluid's
 /// particles a, which Saturation is made of, and
 ///
-///     q_b = sum_a V_a p_a s_a/B_a W_ab, in Pa,
+///     q_b = sum_a V_a (p_a - kappa) s_a/B_a W_ab, in Pa,
 ///
-/// with the names of PorePressure: the stress (1 - n) p with which the fluid resists that the skeleton's volume changes.
+/// with the names of PorePressure: (1 - n) (p - kappa), the stress with which the fluid and its wetting resist that the
+/// skeleton's volume changes. Together with P it is p: the stress of the two is that of the drained skeleton, and p.
 ///
 /// Goes `Into` the skeleton, beside PorePressure.
 ///
@@ -84,12 +86,13 @@ template <class Kernel = WendlandC2>
 struct PoreContents {
     static constexpr bool one_sided = true;
     struct Sum { // a: skeleton, b: fluid
-        using reads = Fields<volume, pore_pressure, porosity, skeleton_sum>;
+        using reads = Fields<volume, pore_pressure, wetting, porosity, skeleton_sum>;
         using adds = Fields<fluid_sum, pore_stress>;
 
         IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
             const auto share = b[volume] * ab.value(Kernel{});
-            return values(share, share * b[pore_pressure] * detail::inner_solid_share(b) * detail::per_solid_sum(b));
+            return values(share, share * (b[pore_pressure] - b[wetting]) * detail::inner_solid_share(b) *
+                                     detail::per_solid_sum(b));
         }
     };
     using parts = Parts<Volume, Sum>;

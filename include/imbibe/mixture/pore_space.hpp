@@ -1,26 +1,14 @@
 // The space that a skeleton leaves to a fluid that overlaps it, where pores are too small to resolve.
 #pragma once
 
-#include <imbibe/core/term.hpp>
-#include <imbibe/fluid/volume.hpp>
+#include <imbibe/core/lattice.hpp>
 #include <imbibe/kernels/wendland.hpp>
+#include <imbibe/mixture/porous_skeleton.hpp>
 
 #include <string_view>
 #include <type_traits>
 
 namespace imbibe {
-
-/// The volume of the grains or struts in a particle of a skeleton, m^3 (m^2 in 2D). It does not change.
-struct SolidVolume : Field<Rank::scalar> {
-    static constexpr std::string_view name = "solid_volume", unit = "m^3";
-};
-inline constexpr SolidVolume solid_volume{};
-
-/// The volume of a particle of a skeleton with its pores, as it is now, m^3 (m^2 in 2D).
-struct PresentVolume : Field<Rank::scalar> {
-    static constexpr std::string_view name = "present_volume", unit = "m^3";
-};
-inline constexpr PresentVolume present_volume{};
 
 /// A = sum_b v_b W_ab over the particles b of skeletons, with their solid volumes v, without unit.
 struct SolidSum : Field<Rank::scalar> {
@@ -34,54 +22,68 @@ struct SkeletonSum : Field<Rank::scalar> {
 };
 inline constexpr SkeletonSum skeleton_sum{};
 
-namespace detail {
+/// sum_b kappa_b v_b W_ab over the same, Pa, with the wetting kappa of PoreSpace.
+struct WettingSum : Field<Rank::scalar> {
+    static constexpr std::string_view name = "wetting_sum", unit = "Pa";
+};
+inline constexpr WettingSum wetting_sum{};
 
-// Below this skeleton sum a particle is at the surface of the skeleton, or outside.
-inline constexpr double least_inner_sum = 0.95;
+/// Coefficients of PoreSpace.
+struct PoreSpaceParameters {
+    /// p_c by which a front of the fluid is drawn into dry pores of the stress-free skeleton, Pa: 2 gamma cos(theta)/r
+    /// with the surface tension gamma, the contact angle theta and the radius r of the pores. Water in pores of 0.3 mm:
+    /// 400.
+    double suction = 0;
 
-// -dn_a/dA_a, and dn_a/dB_a over that: n = 1 - A/max(B, 0.95).
-IMBIBE_INLINE constexpr auto per_solid_sum(const auto& fluid) {
-    return 1 / max(fluid[skeleton_sum], least_inner_sum);
-}
-IMBIBE_INLINE constexpr auto inner_solid_share(const auto& fluid) {
-    using T = std::remove_cvref_t<decltype(fluid[skeleton_sum])>;
-    return select(fluid[skeleton_sum] > T(least_inner_sum), 1 - fluid[porosity], T(0));
-}
+    /// Throws Error for a number out of range. @param where the coupling in the message
+    void check(std::string_view where) const {
+        require_not_negative(suction, where, "PoreSpaceParameters::suction", "Pa");
+    }
+};
 
-} // namespace detail
+/// What PoreSpace computes of the skeleton.
+struct PreparedPoreSpace {
+    double wetting = 0; ///< kappa, Pa
+};
 
-/// n_a = 1 - A_a/max(B_a, 0.95), A_a = sum_b v_b W_ab, B_a = sum_b V_b W_ab, without unit, for a particle a of a fluid
-/// and the particles b of a PorousSkeleton, with their solid volumes v and present volumes V.
+/// A_a = sum_b v_b W_ab and B_a = sum_b V_b W_ab, without unit, for a particle a of a fluid and the particles b of a
+/// PorousSkeleton, with their solid volumes v and present volumes V: what InPores makes the porosity of. A third sum is
+/// sum_b kappa v_b W_ab, in Pa, with kappa = p_c n_0/(1 - n_0), the suction p_c of dry pores and the porosity n_0 of
+/// the stress-free skeleton.
 ///
-/// Goes `Into` the fluid that overlaps the skeleton, whose state is InPores. In a skeleton that is the same everywhere n
-/// is the same everywhere, wherever the particles of the two lie: all of them have the same v/V. At its surface n rises
-/// to 1 over a support radius.
+/// Goes `Into` the fluid that overlaps the skeleton.
 ///
 /// Not for two skeletons that overlap each other.
 ///
-/// Source: Boettcher, Jeske, Westhofen and Bender (2025) for the overlap; the quotient, Shepard (1968).
+/// Source: Boettcher, Jeske, Westhofen and Bender (2025) for the overlap.
 template <class Kernel = WendlandC2>
 struct PoreSpace {
-    static constexpr bool one_sided = true;
+    static constexpr bool one_sided = true, overlapping = true;
+    using Parameters = PoreSpaceParameters;
+    using Prepared = PreparedPoreSpace;
     struct Sum { // a: fluid, b: skeleton
         using reads = Fields<solid_volume, present_volume>;
-        using adds = Fields<solid_sum, skeleton_sum>;
+        using adds = Fields<solid_sum, skeleton_sum, wetting_sum>;
+        Prepared prepared{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
-            const auto weight = ab.value(Kernel{});
-            return values(b[solid_volume] * weight, b[present_volume] * weight);
+            const auto solid = b[solid_volume] * ab.value(Kernel{});
+            return values(solid, b[present_volume] * ab.value(Kernel{}), prepared.wetting * solid);
         }
     };
-    struct Set {
-        using reads = Fields<solid_sum, skeleton_sum>;
-        using sets = Fields<porosity>;
-        static constexpr bool in_packs = true;
+    using parts = Parts<Sum>;
 
-        IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            return 1 - a[solid_sum] * detail::per_solid_sum(a);
+    /// Of the two materials.
+    template <int dim>
+    static Prepared prepare(const auto& material_a, const auto& material_b, const Lattice<dim>& lattice,
+                            const Parameters& parameters) {
+        if constexpr (detail::is_fluid<std::remove_cvref_t<decltype(material_b)>>)
+            return prepare(material_b, material_a, lattice, parameters);
+        else {
+            const double n_0 = material_b.coefficients.template get<PorousSkeletonParameters>().porosity;
+            return {.wetting = parameters.suction * n_0 / (1 - n_0)};
         }
-    };
-    using parts = Parts<Sum, Set>;
+    }
 };
 
 } // namespace imbibe

@@ -3,7 +3,7 @@
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
-#include <imbibe/mixture/pore_space.hpp>
+#include <imbibe/fluid/volume.hpp>
 #include <imbibe/solid/elastic_energy.hpp>
 #include <imbibe/solid/first_piola.hpp>
 #include <imbibe/solid/st_venant_kirchhoff.hpp>
@@ -13,6 +13,18 @@
 #include <type_traits>
 
 namespace imbibe {
+
+/// The volume of the grains or struts in a particle of a skeleton, m^3 (m^2 in 2D). It does not change.
+struct SolidVolume : Field<Rank::scalar> {
+    static constexpr std::string_view name = "solid_volume", unit = "m^3";
+};
+inline constexpr SolidVolume solid_volume{};
+
+/// The volume of a particle of a skeleton with its pores, as it is now, m^3 (m^2 in 2D).
+struct PresentVolume : Field<Rank::scalar> {
+    static constexpr std::string_view name = "present_volume", unit = "m^3";
+};
+inline constexpr PresentVolume present_volume{};
 
 /// The share of the pores of a skeleton that is full of fluid, without unit, 0 to 1.
 struct Saturation : Field<Rank::scalar> {
@@ -53,6 +65,9 @@ struct PorousSkeletonParameters {
 
 namespace detail {
 
+// Below this sum of volumes around it a particle is at the surface of what it is in, or outside.
+inline constexpr double least_inner_sum = 0.95;
+
 // A particle of a skeleton as its law of stress sees it: without the strain by which it has swollen.
 template <class A>
 struct Unswollen {
@@ -87,9 +102,10 @@ IMBIBE_INLINE constexpr T power_of_stretch(T stretch) {
 ///
 ///     P = (1 - d S) l^(dim-1) P_law(F/l) - q J F^-T, in Pa,    l = 1 + e S,
 ///
-/// with the saturation S = min(1, sum_a V_a W_ab/0.95) by the fluid's particles a (PoreContents), swelling e, softening d, and the stress q with which the fluid in the
-/// pores resists a change of their volume (PorePressure). The material's density is that of the dry skeleton in all of
-/// its volume, (1 - n_0) times that of the grains, and its moduli are those of the dry, drained one.
+/// with the saturation S = min(1, sum_a V_a W_ab/0.95) by the fluid's particles a (PoreContents), swelling e, softening
+/// d, and the stress q with which the fluid in the pores resists a change of their volume (PorePressure). The
+/// material's density is that of the dry skeleton in all of its volume, (1 - n_0) times that of the grains, and its
+/// moduli are those of the dry, drained one.
 ///
 /// Its solid volumes v_a = (1 - n_0) V_a and present volumes J V_a, in m^3, with the stress-free volume V = m/rho, are
 /// what PoreSpace makes the porosity of: inside it is n = 1 - (1 - n_0)/J. The grains do not change their volume, and
@@ -98,8 +114,8 @@ IMBIBE_INLINE constexpr T power_of_stretch(T stretch) {
 /// Not for skeletons whose pores are some spacings wide: those are resolved. Not around VolumetricDeviatoric or
 /// FiniteStrainLimit.
 ///
-/// Source: Biot (1941), with incompressible grains; swelling and softening in proportion to the saturation, as Boettcher,
-/// Jeske, Westhofen and Bender (2025).
+/// Source: Biot (1941), with incompressible grains; swelling and softening in proportion to the saturation, as
+/// Boettcher, Jeske, Westhofen and Bender (2025).
 /// @tparam Law StVenantKirchhoff, CompressibleNeoHookean or IsochoricNeoHookean
 template <class Law = StVenantKirchhoff>
 struct PorousSkeleton {
@@ -119,8 +135,7 @@ struct PorousSkeleton {
             constexpr int dim = A::dimension;
             const T stretch = 1 + parameters.swelling * a[saturation];
             const auto dry = Law{}(detail::Unswollen<A>{a, a.material, 1 / stretch});
-            const T stiffness =
-                (1 - parameters.softening * a[saturation]) * detail::power_of_stretch<dim - 1>(stretch);
+            const T stiffness = (1 - parameters.softening * a[saturation]) * detail::power_of_stretch<dim - 1>(stretch);
             return stiffness * dry - a[pore_stress] * transpose(adjugate(a[deformation_gradient]));
         }
     };
