@@ -4,6 +4,7 @@
 //   build-benchmark/studies/validation couette cylinders            some of them
 //   build-benchmark/studies/validation turek-hron --resolutions 4   coarse only
 //   build-benchmark/studies/validation all --write docs/validation.md
+#include <cases/validation/biot.hpp>
 #include <cases/validation/capillary_rise.hpp>
 #include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
@@ -19,6 +20,7 @@
 #include <cases/validation/fitted_bodies.hpp>
 #include <cases/validation/fitted_cylinders.hpp>
 #include <cases/validation/heated_cavity.hpp>
+#include <cases/validation/imbibition.hpp>
 #include <cases/validation/kolmogorov.hpp>
 #include <cases/validation/laws_of_flow.hpp>
 #include <cases/validation/one_pore.hpp>
@@ -40,7 +42,6 @@
 #include <cases/validation/stiff_plate.hpp>
 #include <cases/validation/still_water.hpp>
 #include <cases/validation/taylor_green.hpp>
-#include <cases/validation/terzaghi.hpp>
 #include <cases/validation/turek_hron.hpp>
 #include <cases/validation/turek_hron_flow.hpp>
 #include <cases/validation/turned_beam.hpp>
@@ -75,7 +76,9 @@ int main(int argc, char** argv) {
         {"one-pore", "particles over the radius", {4, 6, 8}, one_pore::measure},
         {"orifice", "particles over the slot", {10, 20}, orifice::measure},
         {"consolidation", "particles over the layer", {10, 20, 40}, consolidation::measure},
-        {"terzaghi", "particles over half of the layer", {20, 40}, terzaghi::measure},
+        {"wet-layer", "particles over half of it", {20, 40}, biot::measure_layer},
+        {"wet-ball", "particles over its radius", {8, 12, 16}, biot::measure_ball},
+        {"imbibition", "particles over the column", {20, 40, 80}, imbibition::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"heated-cavity", "particles along a side", {20, 40}, heated_cavity::measure},
         {"stefan", "particles in a length of 1", {20, 40, 80}, stefan::measure},

@@ -51,15 +51,15 @@ struct DarcyLaw {
         DarcyDragParameters parameters{};
         PreparedDarcyDrag prepared{};
     };
-    using Reads = Fields<volume, present_volume, porosity, velocity>;
+    using Reads = Fields<volume, solid_volume, present_volume, velocity>;
 
     IMBIBE_INLINE static constexpr auto coefficient(const Numbers& of, const auto& a, const auto& b, const auto& ab) {
         const DarcyDragParameters& p = of.parameters;
         const auto& f = one_of<true>(a, b);
         const auto& s = one_of<false>(a, b);
         const double n_0 = s.material.coefficients.template get<PorousSkeletonParameters>().porosity;
-        const auto n = f[porosity];
-        // Kozeny and Carman: k/k_0 = (n/n_0)^3 ((1 - n_0)/(1 - n))^2; so n^2/k, with which the drag vanishes at n = 1.
+        const auto n = 1 - s[solid_volume] / s[present_volume];
+        // n^2/k with Kozeny and Carman's k/k_0 = (n/n_0)^3 ((1 - n_0)/(1 - n))^2
         const auto per_permeability = sq((1 - n) / (1 - n_0)) * power<3>(n_0) / (p.permeability * max(n, 1e-3));
         const auto speed = sqrt(squared_norm(f[velocity] - s[velocity]));
         const auto eta = f.material.viscosity + p.forchheimer_length * f.material.density * n * speed;
@@ -74,10 +74,10 @@ struct DarcyLaw {
 ///
 ///     K_ab = (n^2 eta/k) V_a V_b |grad_a W_ab| |x_ab|/M,    k = k_0 (n/n_0)^3 ((1 - n_0)/(1 - n))^2,
 ///
-/// in kg/s, the porosity n at the fluid, its viscosity eta, the volumes V in all of the space and the sum M of what
-/// stands beside them over a lattice: n^2 eta/k times the difference of the velocities per volume (Darcy 1856),
-/// implicit, so that no step is too long, and equal and opposite. A Forchheimer drag adds c_F sqrt(k_0) n rho |v_f -
-/// v_s| to eta.
+/// in kg/s, the porosity n of the skeleton at b, the viscosity eta of the fluid, the volumes V in all of the space and
+/// the sum M of what stands beside them over a lattice: n^2 eta/k times the difference of the velocities per volume
+/// (Darcy 1856), implicit, so that no step is too long, and equal and opposite. A Forchheimer drag adds c_F sqrt(k_0) n
+/// rho |v_f - v_s| to eta.
 ///
 /// In the coupling of a fluid with InPores and a skeleton.
 ///
