@@ -5,9 +5,11 @@ times, one panel each.
     python3 tools/render_plane.py out-elastic-gate -o gate.png
     python3 tools/render_plane.py out-elastic-gate --times 40 120 400 --fluid water --speed 2 -o gate.png
     python3 tools/render_plane.py out-dam-break --slice 140 160 -o dam_break.png
+    python3 tools/render_plane.py out-soaked-sponge --walls tray plate --field sponge saturation -o soaked_sponge.png
 
 Particles are drawn as discs of their own area: the fluid coloured by its speed, what of it is frozen in the colour of
-ice, walls grey, other phases in one colour, or by how far they have been displaced (--displaced).
+ice, walls grey, other phases in one colour, by how far they have been displaced (--displaced), or by one of the fields
+in the files (--field).
 """
 
 import argparse
@@ -33,6 +35,8 @@ def read_arguments():
     parser.add_argument("--walls", nargs="*", default=["tank", "plates", "vessel", "wall"], help="phases drawn in grey")
     parser.add_argument("--speed", type=float, metavar="M/S", help="the speed at the dark end of the scale")
     parser.add_argument("--displaced", metavar="PHASE", help="a total-Lagrangian solid to be coloured by its displacement")
+    parser.add_argument("--field", nargs=2, metavar=("PHASE", "FIELD"),
+                        help="a phase to be coloured by one of its scalar fields, and that field's name in the files")
     parser.add_argument("--columns", type=whole_number, default=2, help="panels beside each other (default: 2)")
     parser.add_argument("--slice", nargs=2, type=float, metavar="MM",
                         help="in three dimensions: only what lies between these two y, in mm, seen along y")
@@ -63,17 +67,38 @@ def fluid_colours(snapshot, shares):
     return colours
 
 
+def shaded(arguments, moments):
+    """The values of the field by which a phase is coloured, at each of the moments, and what to call them."""
+    if arguments.displaced:
+        phase, field, what = arguments.displaced, "displacement", f"displacement of the {arguments.displaced} [mm]"
+    else:
+        phase, field = arguments.field
+        what = f"{field.replace('_', ' ')} of the {phase}"
+    if any(field not in moment[phase].arrays for moment in moments):
+        known = ", ".join(sorted(name for name, values in moments[0][phase].arrays.items() if values.ndim == 1))
+        end_with(f"the snapshots of {phase} have no {field}; numbers that they have: {known}")
+    values = [moment[phase].arrays[field] for moment in moments]
+    if arguments.displaced:
+        values = [1e3 * np.linalg.norm(way, axis=1) for way in values]
+    elif any(of.ndim != 1 for of in values):
+        end_with(f"{field} of {phase} is no single number of each particle")
+    return values, what
+
+
 def main():
     arguments = read_arguments()
+    if arguments.displaced and arguments.field:
+        end_with("--displaced and --field colour a phase each, and there is one scale for them: give one of the two")
     lists = {os.path.splitext(os.path.basename(path))[0]: particle_files.read_series(path)
              for path in glob.glob(os.path.join(arguments.folder, "*.pvd"))}
-    for phase in filter(None, (arguments.fluid, arguments.displaced)):
+    by_field = arguments.displaced or (arguments.field and arguments.field[0])
+    for phase in filter(None, (arguments.fluid, by_field)):
         if phase not in lists:
             end_with(f"there is no {phase}.pvd in {arguments.folder}")
         if not lists[phase]:
             end_with(f"{phase}.pvd in {arguments.folder} has no snapshot")
-    if arguments.displaced == arguments.fluid:
-        end_with(f"{arguments.fluid} is coloured by its speed already (--fluid); name a solid to be coloured by its displacement")
+    if by_field == arguments.fluid:
+        end_with(f"{arguments.fluid} is coloured by its speed already (--fluid); name another phase to be coloured by a field")
     times = np.array([time for time, _ in lists[arguments.fluid]])
     wanted = np.array(arguments.times) * 1e-3 if arguments.times else np.linspace(times[0], times[-1], arguments.count)
     steps = [int(np.argmin(abs(times - time))) for time in wanted]
@@ -84,11 +109,10 @@ def main():
         end_with(f"the snapshots of {arguments.fluid} have no velocity")
     speeds = [np.linalg.norm(moment[arguments.fluid].arrays["velocity"], axis=1) for moment in moments]
     fastest = arguments.speed or max((np.percentile(speed, 99.5) for speed in speeds if len(speed)), default=0) or 1.0
-    if arguments.displaced and any("displacement" not in moment[arguments.displaced].arrays for moment in moments):
-        end_with(f"the snapshots of {arguments.displaced} have no displacement")
-    ways = [1e3 * np.linalg.norm(moment[arguments.displaced].arrays["displacement"], axis=1) if arguments.displaced else []
-            for moment in moments]
-    furthest = Normalize(0, max((way.max() for way in ways if len(way)), default=0) or 1.0)
+    shades, shades_in_words = shaded(arguments, moments) if by_field else ([[] for _ in moments], "")
+    found = [of for of in shades if len(of)]
+    shade = Normalize(min((of.min() for of in found if arguments.field), default=0),
+                      max((of.max() for of in found), default=0) or 1.0)
     everything = np.vstack([snapshot.points[:, :2] for moment in moments for snapshot in moment.values()]) * 1e3
     if len(everything) == 0:
         end_with("there is no particle" + (f" from y = {arguments.slice[0]:g} to {arguments.slice[1]:g} mm"
@@ -102,15 +126,15 @@ def main():
     width = 4.6
     height = width * (high[1] - low[1]) / (high[0] - low[0]) + 0.5
     figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", sharex=True, sharey=True,
-                                  figsize=(width * columns, height * rows + (0.7 if arguments.displaced else 0)))
+                                  figsize=(width * columns, height * rows + (1.1 if by_field else 0)))
     scale = Normalize(0, fastest)
-    for panel, step, moment, speed, way in zip(panels.flat, steps, moments, speeds, ways):
+    for panel, step, moment, speed, values in zip(panels.flat, steps, moments, speeds, shades):
         for name, snapshot in moment.items():
             if len(snapshot.points) == 0:
                 continue
             size = 2e3 * particle_files.spacing_of(snapshot) / np.sqrt(np.pi)
             colours = (fluid_colours(snapshot, scale(speed)) if name == arguments.fluid
-                       else SPONGE(furthest(way)) if name == arguments.displaced
+                       else SPONGE(shade(values)) if name == by_field
                        else WALL if name in arguments.walls else SPONGE(0.7))
             panel.add_collection(EllipseCollection(size, size, 0, units="xy", offsets=snapshot.points[:, :2] * 1e3,
                                                    transOffset=panel.transData, facecolors=colours, linewidths=0))
@@ -124,8 +148,8 @@ def main():
     for panel in panels[:, 0]:
         panel.set_ylabel("z [mm]" if arguments.slice else "y [mm]", fontsize=9)
     bars = [(ScalarMappable(scale, WATER), f"speed of the {arguments.fluid} [m/s]")]
-    if arguments.displaced:
-        bars.append((ScalarMappable(furthest, SPONGE), f"displacement of the {arguments.displaced} [mm]"))
+    if by_field:
+        bars.append((ScalarMappable(shade, SPONGE), shades_in_words))
     for colours, label in bars:
         bar = figure.colorbar(colours, ax=panels, orientation="horizontal", shrink=0.4, aspect=40)
         bar.set_label(label, fontsize=9)

@@ -66,20 +66,22 @@ struct Body {
     explicit Body(int across)
         : dx(1.0 / across),
           scene({.support_radius = (dim == 2 ? 3 : 2.6) * dx, .cfl = 0.8, .periodic_length = sides(dx)}) {
-        std::vector<sph::Point<dim>> places;
-        if constexpr (dim == 2)
-            places = sph::fill(sph::Box<2>{{0, -1}, {8 * dx, 1}}, dx);
-        else
-            places = sph::fitted(sph::Sphere<3>{{0, 0, 0}, 1}, dx);
+        // p is 0 at the outermost particles of the water: they are on the surface.
+        const auto places = [&](double radius) {
+            if constexpr (dim == 2)
+                return sph::fill(sph::Box<2>{{0, -radius}, {8 * dx, radius}}, dx);
+            else
+                return sph::fitted(sph::Sphere<3>{{0, 0, 0}, radius}, dx);
+        };
         Water liquid{{.density = rho, .sound_speed = std::sqrt(bulk / rho), .viscosity = 1}};
         liquid.set(sph::PoreDensityDiffusionParameters{.delta = 0.002, .delta_in_pores = 0.002});
-        water = scene.add(liquid, places, dx);
+        water = scene.add(liquid, places(1 + dx / 2), dx);
         Soil skeleton{{.density = rho,
                        .sound_speed = sph::sound_speed_of(modulus, 0, rho),
                        .shear_modulus = sph::shear_modulus_of(modulus, 0)}};
         skeleton.set(sph::PorousSkeletonParameters{.porosity = n});
         skeleton.set(LoadParameters{.pressure = load});
-        const auto soil = scene.add(skeleton, places, dx);
+        const auto soil = scene.add(skeleton, places(1), dx);
         scene.template coupling<InSoil>().set(
             sph::DarcyDragParameters{.permeability = c * (1 / modulus + n / bulk) * liquid.viscosity});
         sph::fill_pores(scene, water, soil);

@@ -4,9 +4,10 @@
 // rho g (D + x)), with the depth D = D_0 - n (x - x_0) of the water in front of the column; integrated in closed form.
 // Geometry: plane, periodic to the sides; a column 0.2 m long that is held, and water in front of it and in its first
 // 0.02 m. A small weight, g = 1 m/s^2 towards the column, keeps the two together; it is a fifth of the suction of 500
-// Pa. Porosity 0.6, k = 2e-10 m^2, water's viscosity. The particles are counted over the column. Scheme: the mixture:
-// InPores with PoreSpaceParameters::suction, SeepingFluid, PorousSkeleton; Wendland C2 of c = 10 m/s.
-// Measure: the depth of the front, as what the pores hold, when it is to be at 0.06, 0.09 and 0.12 m.
+// Pa. Porosity 0.6, k = 2e-10 m^2, viscosity 1e-3 Pa s. The particles are counted over the column. Scheme: the mixture,
+// InPores with a suction, SeepingFluid and PorousSkeleton; Wendland C2 of 3.9 spacings, which are 3 of the water in the
+// pores, c = 10 m/s. Measure: the depth of the front, as what the pores hold, when it is to be at 0.06, 0.09 and 0.12
+// m.
 #pragma once
 
 #include "case.hpp"

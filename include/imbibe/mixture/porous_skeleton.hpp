@@ -4,6 +4,7 @@
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/phase.hpp>
 #include <imbibe/fluid/volume.hpp>
+#include <imbibe/kernels/wendland.hpp>
 #include <imbibe/solid/elastic_energy.hpp>
 #include <imbibe/solid/first_piola.hpp>
 #include <imbibe/solid/st_venant_kirchhoff.hpp>
@@ -38,6 +39,12 @@ struct FluidSum : Field<Rank::scalar> {
     static constexpr std::string_view name = "fluid_sum", unit = "1";
 };
 inline constexpr FluidSum fluid_sum{};
+
+/// sum_b V_b W_ab over the particles of the stress-free skeleton, without unit: about 1 inside, half at its surface.
+struct StressFreeSum : Field<Rank::scalar> {
+    static constexpr std::string_view name = "stress_free_sum", unit = "1";
+};
+inline constexpr StressFreeSum stress_free_sum{};
 
 /// The pressure that the fluid in the pores puts on the skeleton by giving way to its change of volume, Pa: (1 - n) p.
 struct PoreStress : Field<Rank::scalar> {
@@ -102,10 +109,10 @@ IMBIBE_INLINE constexpr T power_of_stretch(T stretch) {
 ///
 ///     P = (1 - d S) l^(dim-1) P_law(F/l) - q J F^-T, in Pa,    l = 1 + e S,
 ///
-/// with the saturation S = min(1, sum_a V_a W_ab/0.95) by the fluid's particles a (PoreContents), swelling e, softening
-/// d, and the stress q with which the fluid in the pores resists a change of their volume (PorePressure). The
-/// material's density is that of the dry skeleton in all of its volume, (1 - n_0) times that of the grains, and its
-/// moduli are those of the dry, drained one.
+/// with the saturation S = min(1, sum_a V_a W_ab/(0.95 sum_c V_c W_bc)) by the fluid's particles a (PoreContents) and
+/// the neighbours c of the particle b in the stress-free skeleton, swelling e, softening d, and the stress q with which
+/// the fluid in the pores resists a change of their volume (PorePressure). The material's density is that of the dry
+/// skeleton in all of its volume, (1 - n_0) times that of the grains, and its moduli are those of the dry, drained one.
 ///
 /// Its solid volumes v_a = (1 - n_0) V_a and present volumes J V_a, in m^3, with the stress-free volume V = m/rho, are
 /// what PoreSpace makes the porosity of: inside it is n = 1 - (1 - n_0)/J. The grains do not change their volume, and
@@ -117,7 +124,7 @@ IMBIBE_INLINE constexpr T power_of_stretch(T stretch) {
 /// Source: Biot (1941), with incompressible grains; swelling and softening in proportion to the saturation, as
 /// Boettcher, Jeske, Westhofen and Bender (2025).
 /// @tparam Law StVenantKirchhoff, CompressibleNeoHookean or IsochoricNeoHookean
-template <class Law = StVenantKirchhoff>
+template <class Law = StVenantKirchhoff, class Kernel = WendlandC2>
 struct PorousSkeleton {
     static constexpr bool of_solids = true, porous = true;
     static constexpr double greatest_poisson_ratio = Law::greatest_poisson_ratio;
@@ -149,16 +156,26 @@ struct PorousSkeleton {
             return values((1 - parameters.porosity) * a[volume], determinant(a[deformation_gradient]) * a[volume]);
         }
     };
+    struct Count {
+        using neighbourhood = Reference;
+        static constexpr bool once = true;
+        using reads = Fields<mass>;
+        using adds = Fields<stress_free_sum>;
+
+        IMBIBE_INLINE constexpr auto operator()(const auto&, const auto& b, const auto& ab) const {
+            return b[mass] / b.material.density * ab.value(Kernel{});
+        }
+    };
     struct Fill {
-        using reads = Fields<fluid_sum>;
+        using reads = Fields<fluid_sum, stress_free_sum>;
         using sets = Fields<saturation>;
         static constexpr bool in_packs = true;
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
-            return min(a[fluid_sum] * (1 / detail::least_inner_sum), 1.0);
+            return min(a[fluid_sum] / max(detail::least_inner_sum * a[stress_free_sum], 1e-30), 1.0);
         }
     };
-    using parts = Parts<Volume, Fill, Stress, Space>;
+    using parts = Parts<Volume, Count, Fill, Stress, Space>;
 
     /// s V psi of a particle, J: ElasticEnergy of the law, swollen and softened.
     struct Energy {
