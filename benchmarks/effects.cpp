@@ -89,8 +89,8 @@ struct WaterBelow : WaterWith<> {};
 struct Drop : WaterWith<InterfaceForce<K>> {};
 struct DropBelow : WaterWith<InterfaceForce<K>> {};
 struct Warm : WaterWith<Melting, HeatConduction<K>, Boussinesq> {};
-struct Seeping : Fluid<InPores<>, VolumeContinuity<K>, VolumePressure<K>, PoreDensityDiffusion<K>> {};
-struct SpongeSlab : PlateWith<PorousSkeleton> {};
+struct Seeping : Fluid<InPores<>, SeepingFluid<K>> {};
+struct Skeleton : Solid<ReferenceCorrection<K>, DeformationGradient<K>, PorousSkeleton<>, TotalLagrangianForce<K>> {};
 struct HotFloor : Wall<SurfaceTemperature> {};
 struct Heater : Wall<HeatFlux> {};
 template <class Below, class... Term>
@@ -130,10 +130,8 @@ struct WarmFloor : ExtrapolationOf<Warm, Floor> {};
 struct WarmFloorBuoyant : ExtrapolationOf<Warm, Floor, Into<Floor, BoussinesqExtrapolation<K>>> {};
 struct WarmFloorFrozen : ExtrapolationOf<Warm, Floor, Into<Warm, FrozenDrag<K>>> {};
 struct WarmFloorHeated : ExtrapolationOf<Warm, Heater, Into<Warm, HeatFromWalls<K>>> {};
-struct WarmFloorHot
-    : ExtrapolationOf<Warm, HotFloor, Into<HotFloor, TemperatureExtrapolation<K>>, HeatTransfer<K>> {};
-struct SlabSeeping : Coupling<Seeping, SpongeSlab, Into<SpongeSlab, PressureExtrapolation<K>>,
-                              Into<Seeping, PoreSpace<K>>, PorePressure<K>, DarcyDrag<K>> {};
+struct WarmFloorHot : ExtrapolationOf<Warm, HotFloor, Into<HotFloor, TemperatureExtrapolation<K>>, HeatTransfer<K>> {};
+struct Soaked : CouplingOf<Seeping, Skeleton> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -144,7 +142,7 @@ template <class P>
 P material() {
     if constexpr (requires(P p) { p.shear_modulus; }) {
         P solid{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
-        if constexpr (detail::contains<PorousSkeleton, typename P::terms>)
+        if constexpr (detail::contains<PorousSkeleton<>, typename P::terms>)
             solid.set(PorousSkeletonParameters{.porosity = 0.5});
         return solid;
     } else {
@@ -197,6 +195,24 @@ struct OnTop {
         bench::stir(scene[water], spacing);
         if constexpr (Below::moves)
             bench::stir(scene[below], spacing);
+        scene.prepare();
+        return scene.engine();
+    }
+};
+
+/// A cube of a fluid in the pores of a skeleton. Costs are those of both phases together.
+template <class Liquid, class Body, class Between>
+struct Overlap : OnTop<Liquid, Body, Between> {
+    static auto prepared() {
+        using bench::spacing;
+        Solver<3, float, SymplecticEuler, Liquid, Body, Between> scene(
+            {.support_radius = support * spacing, .threads = 1});
+        const auto liquid = scene.add(material<Liquid>(), bench::cube(particles), spacing);
+        const auto body = scene.add(material<Body>(), bench::cube(particles), spacing);
+        scene.template coupling<Between>().set(DarcyDragParameters{.permeability = 1e-9});
+        bench::stir(scene[liquid], spacing);
+        bench::stir(scene[body], spacing);
+        fill_pores(scene, liquid, body);
         scene.prepare();
         return scene.engine();
     }
@@ -359,10 +375,11 @@ Cases all_cases() {
                               "walls at a temperature");
     add<Slab, OnTop<Water, Slab>>(cases, "the plain fluid on a total-Lagrangian slab that it does not see",
                                   "what the rows below are compared with");
-    add_contact<SlabSeeping>(cases,
-                             "`InPores`, `PoreDensityDiffusion`, `PorousSkeleton`, `PressureExtrapolation`, `PoreSpace`, "
-                             "`PorePressure` and `DarcyDrag`",
-                             "a slab whose pores are too small to resolve");
+    add<Soaked, Overlap<Seeping, Skeleton, Soaked>>(
+        cases,
+        "`InPores`, `PoreDensityDiffusion`, `PoreDensityFloor`, `PorousSkeleton`, `PoreSpace`, `PoreContents`, "
+        "`PorePressure` and `DarcyDrag`",
+        "pores too small to resolve: a skeleton in all of the cube, both phases together");
     add_contact<SlabExtrapolation>(
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two",
         "pressure without a number to choose");

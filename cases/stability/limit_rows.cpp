@@ -69,10 +69,11 @@ void add_limits(Table& table) {
     }
     row("HeatTransfer, ten times the conductivity", "two layers of heat",
         [](const Plan& p) { return warm_layers(p, 10); });
-    row("PorePressure, porosity 0.3", "shaken skeleton, light, full of water",
-        [](const Plan& p) { return shaken_foam(p, 0.3); });
-    row("PorePressure, porosity 0.6", "shaken skeleton, light, full of water",
-        [](const Plan& p) { return shaken_foam(p, 0.6); });
+    for (const double porosity : {0.3, 0.8})
+        for (const double density : {300.0, 1000.0})
+            row(sph::text("PorePressure, porosity ", porosity),
+                sph::text("shaken skeleton of ", density, " kg/m^3, full of water"),
+                [=](const Plan& p) { return shaken_foam(p, porosity, density); });
     row("FrozenStress, G = 3 rho c^2", "shaken box of ice", [](const Plan& p) { return shaken_box(p, frozen(), 2.6); });
     row("FrozenStress, G = 3 rho c^2", "disordered shaken box of ice",
         [=](const Plan& p) { return shaken_box(p, frozen(), 2.6, disorder); });
@@ -185,14 +186,18 @@ void add_limits(Table& table) {
             [=](const Plan& p) { return shaken_sheet<3>(p, rough); });
     for (const double poisson : {0.3, 0.499}) {
         const char* law = poisson == 0.3 ? "StVenantKirchhoff, nu 0.3, thin" : "StVenantKirchhoff, nu 0.499, thin";
-        row(law, "shaken block of two by two",
-            [=](const Plan& p) { return shaken_body<2, Kirchhoff2>(p, {2, 2}, poisson, 2.01); });
-        row(law, "shaken block of two by two by two",
-            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {2, 2, 2}, poisson, 2.6); });
-        row(law, "shaken plate of two layers",
-            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {8, 8, 2}, poisson, 2.6); });
-        row(law, "shaken bar of three by three",
-            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {8, 3, 3}, poisson, 2.6); });
+        row(law, "shaken block of two by two", [=](const Plan& p) {
+            return shaken_body<2, Kirchhoff2>(p, {2, 2}, poisson, 2.01);
+        });
+        row(law, "shaken block of two by two by two", [=](const Plan& p) {
+            return shaken_body<3, Kirchhoff2>(p, {2, 2, 2}, poisson, 2.6);
+        });
+        row(law, "shaken plate of two layers", [=](const Plan& p) {
+            return shaken_body<3, Kirchhoff2>(p, {8, 8, 2}, poisson, 2.6);
+        });
+        row(law, "shaken bar of three by three", [=](const Plan& p) {
+            return shaken_body<3, Kirchhoff2>(p, {8, 3, 3}, poisson, 2.6);
+        });
     }
     row("paper's hypoelastic, nu 0.3", "shaken block",
         [](const Plan& p) { return shaken_block<2, Hypoelastic::Body>(p, 0.3, 2); });

@@ -17,10 +17,9 @@
 #include <imbibe/heat/frozen_stress.hpp>
 #include <imbibe/heat/heat_capacity.hpp>
 #include <imbibe/heat/surface_temperature.hpp>
+#include <imbibe/methods/seeping_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
-#include <imbibe/mixture/darcy_drag.hpp>
 #include <imbibe/mixture/fill_pores.hpp>
-#include <imbibe/mixture/pore_pressure.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/time/dual_stepping.hpp>
@@ -134,8 +133,8 @@ struct Warm : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
 struct Warmer : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
 struct Touching : sph::Coupling<Warm, Warmer, sph::HeatTransfer<C2>> {};
 struct Heated : sph::Wall<sph::SurfaceTemperature> {};
-struct Heating : sph::Coupling<Warm, Heated, sph::Into<Heated, sph::TemperatureExtrapolation<C2>>,
-                               sph::HeatTransfer<C2>> {};
+struct Heating
+    : sph::Coupling<Warm, Heated, sph::Into<Heated, sph::TemperatureExtrapolation<C2>>, sph::HeatTransfer<C2>> {};
 template <class Phase>
 Phase warm(double conductivity) {
     Phase phase{{.density = 1000, .sound_speed = 1e-6}};
@@ -175,11 +174,10 @@ inline Outcome warm_layers(const Plan& plan, double better) {
     return march_warm<2>(scene, phase, plan);
 }
 
-struct Seeping : sph::Fluid<sph::InPores<>, sph::VolumeContinuity<C2>, sph::VolumePressure<C2>, sph::PoreDensityDiffusion<C2>> {};
+struct Seeping : sph::Fluid<sph::InPores<>, sph::SeepingFluid<C2>, sph::Instead<sph::PoreDensityFloor>> {};
 struct Foam : sph::Solid<sph::TotalLagrangianSolid<sph::PorousSkeleton<>, C2>> {};
-struct InFoam : sph::Coupling<Seeping, Foam, sph::Into<Seeping, sph::PoreSpace<C2>>,
-                              sph::Into<Foam, sph::PoreContents<C2>>, sph::PorePressure<C2>, sph::DarcyDrag<C2>> {};
-/// A periodic square of water in a soft skeleton that is a tenth as heavy, which is shaken.
+struct InFoam : sph::CouplingOf<Seeping, Foam> {};
+/// A periodic square of water in a soft skeleton of the same or another density, which is shaken.
 inline Outcome shaken_foam(const Plan& plan, double porosity, double density) {
     constexpr double across = 16 * dx;
     sph::Solver<2, double, sph::SymplecticEuler, Seeping, Foam, InFoam> scene(
@@ -434,7 +432,7 @@ inline Outcome swing(const Plan& plan) {
     sph::Solver<2, double, sph::SymplecticEuler, Swinging> scene({.support_radius = dx, .threads = 1});
     const auto one = scene.add(Swinging{{.density = 1000, .sound_speed = 1}}, {{start, 0}}, dx);
     const double most = std::sqrt(Spring::k) * start; // its greatest speed, were the steps short
-    scene.step(1e-9); // from here on there is an acceleration to limit the steps
+    scene.step(1e-9);                                 // from here on there is an acceleration to limit the steps
     const Watch<2> watch{.end = 100 / std::sqrt(Spring::k),
                          .guard = {.speed = 1e6, .energy = std::numeric_limits<double>::infinity()},
                          .signs = {{"speed over that of the exact swing", 4}},

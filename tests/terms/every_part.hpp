@@ -29,6 +29,9 @@
 #include <imbibe/heat/surface_temperature.hpp>
 #include <imbibe/interface/interface_tension.hpp>
 #include <imbibe/kernels/poly6.hpp>
+#include <imbibe/mixture/darcy_drag.hpp>
+#include <imbibe/mixture/pore_pressure.hpp>
+#include <imbibe/mixture/pore_space.hpp>
 #include <imbibe/solid/artificial_stress.hpp>
 #include <imbibe/solid/corrected_gradients.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
@@ -100,26 +103,25 @@ using EveryPairPart = TypeList<
     Case<CorrectedNoSlipViscosity<>, Water, Sponge, true>, Case<ConcentrationNeighbours<>::Sum, Water, Water, false>,
     Case<TransportAdvection<>, Water, Water, false>,
     Case<GeneralisedNewtonianViscosity<Carreau>::Sum, Water, Water, false>,
-    Case<GeneralisedNewtonianViscosity<Carreau>::Push, Water, Water, true>,
-    Case<SomeInterface, Water, Water, false>, Case<InterfaceForce<>::Pull, Water, Water, true>,
-    Case<ContactLineForce<>::Pull, Water, Sponge, true>,
+    Case<GeneralisedNewtonianViscosity<Carreau>::Push, Water, Water, true>, Case<SomeInterface, Water, Water, false>,
+    Case<InterfaceForce<>::Pull, Water, Water, true>, Case<ContactLineForce<>::Pull, Water, Sponge, true>,
     Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>, Case<NoSlipApparentViscosity<>, Water, Sponge, true>,
     Case<HeatConduction<>::Conduct, Water, Water, false>, Case<HeatTransfer<>::Conduct, Water, Sponge, false>,
     Case<EnthalpyAdvection<>::Carry, Water, Water, false>, Case<FrozenStress<>::Pull, Water, Water, true>,
     Case<FrozenDrag<>::Drag::Rate, Water, Sponge, false>, Case<FrozenDrag<>::Drag::Slow, Water, Sponge, false>,
+    Case<PorePressure<>::Push, Water, Sponge, true>, Case<PoreDensityDiffusion<>::Smooth, Water, Water, false>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
 
 /// Those that are no force and not zero for the particle itself, or have two results.
-using OtherPairParts =
-    TypeList<Case<PressureExtrapolation<>::Sum, Sponge, Water, false>,
-             Case<NoSlipVelocity<>::Sum, Sponge, Water, false>,
-             Case<LinearNoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
-             Case<ParticleShifting<>::Approach, Water, Water, false>, Case<ContactAngle<>::Sum, Water, Sponge, false>,
-             Case<HeatConduction<>::Moment, Water, Water, false>, Case<HeatTransfer<>::Moment, Water, Sponge, false>,
-             Case<TemperatureExtrapolation<>::Sum, Sponge, Water, false>,
-             Case<HeatFromWalls<>::Sum, Water, Sponge, false>,
-             Case<SummationNeighbours<>, Water, Water, false>>;
+using OtherPairParts = TypeList<
+    Case<PressureExtrapolation<>::Sum, Sponge, Water, false>, Case<NoSlipVelocity<>::Sum, Sponge, Water, false>,
+    Case<LinearNoSlipVelocity<>::Sum, Sponge, Water, false>, Case<ShiftingNeighbours<>, Water, Water, false>,
+    Case<ParticleShifting<>::Approach, Water, Water, false>, Case<ContactAngle<>::Sum, Water, Sponge, false>,
+    Case<HeatConduction<>::Moment, Water, Water, false>, Case<HeatTransfer<>::Moment, Water, Sponge, false>,
+    Case<TemperatureExtrapolation<>::Sum, Sponge, Water, false>, Case<HeatFromWalls<>::Sum, Water, Sponge, false>,
+    Case<PoreSpace<>::Sum, Water, Sponge, false>, Case<PoreContents<>::Sum, Sponge, Water, false>,
+    Case<PorousSkeleton<>::Count, Sponge, Sponge, false>, Case<SummationNeighbours<>, Water, Water, false>>;
 
 template <class F, class... C>
 void for_each_case(TypeList<C...>, F f) {
@@ -160,6 +162,8 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
     p.set(enthalpy, dice(-1e3, 1e3)).set(temperature, dice(-20, 20)).set(conductivity, dice(0.1, 3));
     p.set(conduction_potential, dice(-20, 20)).set(conduction_correction, dice(1, 2));
+    p.set(solid_volume, 0.4 * p[volume]).set(present_volume, p[volume]).set(skeleton_sum, dice(0.5, 1.05));
+    p.set(porosity, dice(0.5, 1)).set(pore_pressure, dice(-1e3, 1e3)).set(wetting, dice(0, 500));
     p.time_step = 1e-3; // in a step of 0 implicit drags do nothing
     p.set(liquid_fraction, dice(0, 1)).set(drag_rate, dice(1, 100)).set(mobility, 1.0);
     p.set(acceleration, dice.vector<dim>(10)).set(deviatoric_stress, symmetric_part(t));
