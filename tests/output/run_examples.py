@@ -31,6 +31,8 @@ EXAMPLES = [
     ("porous", ["--across", "24"], None, None, (r"along y: k = ([\d.]+)e-09", 3.4, 3.9)),
     ("freezing_pores", ["30"], "out-freezing-pores/water.pvd", None,
      (r"3.01 s: (\d+) % of the water is ice", 90, 97)),  # 91 in a body of the mean properties
+    ("soaked_sponge", ["3"], "out-soaked-sponge/water.pvd", 10.5,
+     (r"10.5 s: ([\d.]+) of 2.43 kg/m", 2.0, 2.2)),  # 2.14 with a spacing of 1.5 mm
     ("squeezed_foam", ["0.3", "16"], None, None, (r"strain 0.250: .*k along ([\d.]+)e-09", 1.0, 5.0)),
 ]
 
@@ -45,6 +47,7 @@ REFUSED = [
     ("gyroid", ["nan"], "the solid fraction, 'nan', must be a number"),
     ("drinking_sponge", ["200"], "the contact angle in degrees, '200', must be a number from 0 to 180"),
     ("freezing_pores", ["10"], "the number of particles over the height, '10', must be a number from 30 to 400"),
+    ("soaked_sponge", ["5"], "the spacing in mm, '5', must be a number from 0.5 to 3"),
     ("porous", ["none.stl"], "a mesh needs --unit, an image --voxel and --threshold"),
     ("porous", ["none.stl", "--unit", "mm"], "read_mesh: none.stl cannot be opened"),
     ("oil_in_sponge", ["0"], "the viscosity of oil over that of water, '0', must be a number from 0.05 to 20"),
