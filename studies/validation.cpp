@@ -41,6 +41,7 @@
 #include <cases/validation/stefan.hpp>
 #include <cases/validation/stiff_plate.hpp>
 #include <cases/validation/still_water.hpp>
+#include <cases/validation/sunken_sponge.hpp>
 #include <cases/validation/taylor_green.hpp>
 #include <cases/validation/turek_hron.hpp>
 #include <cases/validation/turek_hron_flow.hpp>
@@ -78,6 +79,7 @@ int main(int argc, char** argv) {
         {"consolidation", "particles over the layer", {10, 20, 40}, consolidation::measure},
         {"wet-layer", "particles over half of it", {20, 40}, biot::measure_layer},
         {"wet-ball", "particles over its radius", {8, 12, 16}, biot::measure_ball},
+        {"sunken-sponge", "particles over the tank", {20, 40}, sunken_sponge::measure},
         {"imbibition", "particles over the column", {20, 40, 80}, imbibition::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"heated-cavity", "particles along a side", {20, 40}, heated_cavity::measure},
