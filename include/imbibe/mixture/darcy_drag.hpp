@@ -35,15 +35,6 @@ struct PreparedDarcyDrag {
 
 namespace detail {
 
-// Of the two of a pair the one that is a fluid, or is none.
-template <bool fluid, class A, class B>
-IMBIBE_INLINE constexpr const auto& one_of(const A& a, const B& b) {
-    if constexpr (is_fluid<typename A::Material> == fluid)
-        return a;
-    else
-        return b;
-}
-
 // K_ab of DarcyDrag.
 template <class Kernel>
 struct DarcyLaw {
@@ -57,7 +48,7 @@ struct DarcyLaw {
         const DarcyDragParameters& p = of.parameters;
         const auto& f = one_of<true>(a, b);
         const auto& s = one_of<false>(a, b);
-        const double n_0 = s.material.coefficients.template get<PorousSkeletonParameters>().porosity;
+        const double n_0 = skeleton_of(a.material, b.material).porosity;
         const auto n = 1 - s[solid_volume] / s[present_volume];
         // n^2/k with Kozeny and Carman's k/k_0 = (n/n_0)^3 ((1 - n_0)/(1 - n))^2
         const auto per_permeability = sq((1 - n) / (1 - n_0)) * power<3>(n_0) / (p.permeability * max(n, 1e-3));

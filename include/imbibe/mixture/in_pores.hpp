@@ -12,7 +12,7 @@
 
 namespace imbibe {
 
-/// The pressure of the fluid itself, Pa. Its `pressure` is n times as much in the pores of a skeleton, of porosity n.
+/// The pressure of the fluid itself, Pa; its `pressure` is the force on all of an area (InPores).
 struct PorePressureField : Field<Rank::scalar> {
     static constexpr std::string_view name = "pore_pressure", unit = "Pa";
     static constexpr bool shown = true;
@@ -64,11 +64,10 @@ IMBIBE_INLINE constexpr auto inner_solid_share(const auto& fluid) {
 /// fluid's `pore_pressure`. P is its `pressure`, the force on all of an area. With these two the fluid in the pores has
 /// the equations of a fluid in free space, and the same terms; PorePressure adds what the skeleton does.
 ///
-/// kappa = p_c n_0/(1 - n_0) is by how much a skeleton with the porosity n_0 is wetted: the fluid gains the energy p_s
-/// = kappa (1 - n)/n per volume of it in the pores, which is p_c in the stress-free ones. P is 0 at a free surface, so
-/// p is
-/// - p_s at a front in dry pores: capillary suction. P is not negative in the fluid behind it, which therefore does not
-/// clump.
+/// kappa = p_c n_0/(1 - n_0) is by how much a skeleton with the porosity n_0 is wetted: the fluid gains the energy
+/// kappa (1 - n)/n per volume of it in the pores, which is the suction p_c in the stress-free ones. At a free surface P
+/// is 0, and p is less than that by as much: a front in dry pores is drawn forward. In the fluid behind it p is
+/// negative and P is not, so its particles do not clump.
 ///
 /// `fill_pores` gives particles that begin inside a skeleton their mass and density.
 ///

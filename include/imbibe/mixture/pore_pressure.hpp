@@ -19,14 +19,15 @@ namespace imbibe {
 /// particle b of the skeleton with its solid and present volume v and V. As the porosity changes by the deformation of
 /// the skeleton: PoreContents.
 ///
-/// Together with VolumePressure, by which the fluid is pushed by - grad P, the fluid has - n grad p, and the skeleton
-/// - (1 - n) grad p, its buoyancy. All of it is the derivative of the energy that InPores stores, so energy is
-/// lost to no one. In a skeleton that is the same everywhere F is 0 pair by pair, wherever the particles lie.
+/// VolumePressure pushes the fluid by - grad P. With this force the fluid has - n grad p, and the skeleton has its
+/// buoyancy, - (1 - n) grad p. All of it is the derivative of the energy that InPores stores, so energy is lost to no
+/// one. In a skeleton that is the same everywhere F is 0 pair by pair, wherever the particles lie.
 ///
 /// In the coupling of a fluid with InPores and a solid with PorousSkeleton: `PoreSpace`, `PoreContents`, this and
-/// `DarcyDrag`, which CouplingOf lists for a PorousFluid.
+/// `DarcyDrag`, which CouplingOf lists for a SeepingFluid.
 ///
-/// Not with walls: those push as if there were no skeleton.
+/// Not between the skeleton and a wall: what the wall is to bear of it is a matter of their contact. Walls push the
+/// fluid in the pores with P.
 ///
 /// Source: the equations, Biot (1941); the sums, own, by virtual work.
 template <class Kernel = WendlandC2>
@@ -37,16 +38,12 @@ struct PorePressure {
             Fields<mass, volume, pore_pressure, wetting, porosity, skeleton_sum, solid_volume, present_volume>;
         using adds = Fields<acceleration>;
 
-        // V_a (p_a - kappa) (v_b - s_a V_b)/max(B_a, 0.95)
-        IMBIBE_INLINE static constexpr auto strength(const auto& fluid, const auto& skeleton) {
-            return fluid[volume] * (fluid[pore_pressure] - fluid[wetting]) * detail::per_solid_sum(fluid) *
-                   (skeleton[solid_volume] - detail::inner_solid_share(fluid) * skeleton[present_volume]);
-        }
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            if constexpr (detail::is_fluid<typename std::remove_cvref_t<decltype(a)>::Material>)
-                return along(ab, -(strength(a, b) * ab.gradient(Kernel{}) / a[mass]));
-            else
-                return along(ab, -(strength(b, a) * ab.gradient(Kernel{}) / a[mass]));
+            const auto& f = detail::one_of<true>(a, b);
+            const auto& s = detail::one_of<false>(a, b);
+            const auto change = s[solid_volume] - detail::inner_solid_share(f) * s[present_volume];
+            return along(ab, -(f[volume] * (f[pore_pressure] - f[wetting]) * detail::per_solid_sum(f) * change *
+                               ab.gradient(Kernel{}) / a[mass]));
         }
     };
     using parts = Parts<Volume, Push>;
@@ -59,7 +56,7 @@ struct PorePressure {
         if constexpr (!detail::is_fluid<std::remove_cvref_t<decltype(material_a)>>)
             return time_step_limit(material_b, material_a, in);
         else {
-            const double n = material_b.coefficients.template get<PorousSkeletonParameters>().porosity;
+            const double n = detail::skeleton_of(material_a, material_b).porosity;
             const double together = 1 + 0.36 * sq(1 - n) * material_a.density / (n * material_b.density);
             const double c =
                 std::sqrt(sq(material_a.sound_speed) * together + sq(material_b.longitudinal_wave_speed()));

@@ -6,7 +6,6 @@
 #include <imbibe/mixture/porous_skeleton.hpp>
 
 #include <string_view>
-#include <type_traits>
 
 namespace imbibe {
 
@@ -73,16 +72,12 @@ struct PoreSpace {
     };
     using parts = Parts<Sum>;
 
-    /// Of the two materials.
+    /// Of the skeleton's material.
     template <int dim>
-    static Prepared prepare(const auto& material_a, const auto& material_b, const Lattice<dim>& lattice,
+    static Prepared prepare(const auto& material_a, const auto& material_b, const Lattice<dim>&,
                             const Parameters& parameters) {
-        if constexpr (detail::is_fluid<std::remove_cvref_t<decltype(material_b)>>)
-            return prepare(material_b, material_a, lattice, parameters);
-        else {
-            const double n_0 = material_b.coefficients.template get<PorousSkeletonParameters>().porosity;
-            return {.wetting = parameters.suction * n_0 / (1 - n_0)};
-        }
+        const double n_0 = detail::skeleton_of(material_a, material_b).porosity;
+        return {.wetting = parameters.suction * n_0 / (1 - n_0)};
     }
 };
 

@@ -75,6 +75,22 @@ namespace detail {
 // Below this sum of volumes around it a particle is at the surface of what it is in, or outside.
 inline constexpr double least_inner_sum = 0.95;
 
+// Of the two particles of a pair the one that is a fluid, or is none.
+template <bool fluid, class A, class B>
+IMBIBE_INLINE constexpr const auto& one_of(const A& a, const B& b) {
+    if constexpr (is_fluid<typename A::Material> == fluid)
+        return a;
+    else
+        return b;
+}
+// The numbers of that of two materials which is a skeleton.
+constexpr const PorousSkeletonParameters& skeleton_of(const auto& material_a, const auto& material_b) {
+    if constexpr (is_fluid<std::remove_cvref_t<decltype(material_a)>>)
+        return material_b.coefficients.template get<PorousSkeletonParameters>();
+    else
+        return material_a.coefficients.template get<PorousSkeletonParameters>();
+}
+
 // A particle of a skeleton as its law of stress sees it: without the strain by which it has swollen.
 template <class A>
 struct Unswollen {
