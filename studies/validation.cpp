@@ -9,7 +9,6 @@
 #include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
 #include <cases/validation/cavity.hpp>
-#include <cases/validation/consolidation.hpp>
 #include <cases/validation/cylinders.hpp>
 #include <cases/validation/dam_break_at_wall.hpp>
 #include <cases/validation/dam_break_on_box.hpp>
@@ -76,7 +75,6 @@ int main(int argc, char** argv) {
         {"duct", "particles along a side", {12, 24}, duct::measure},
         {"one-pore", "particles over the radius", {4, 6, 8}, one_pore::measure},
         {"orifice", "particles over the slot", {10, 20}, orifice::measure},
-        {"consolidation", "particles over the layer", {10, 20, 40}, consolidation::measure},
         {"wet-layer", "particles over half of it", {20, 40}, biot::measure_layer},
         {"wet-ball", "particles over its radius", {8, 12}, biot::measure_ball},
         {"sunken-sponge", "particles over the tank", {20, 40}, sunken_sponge::measure},
