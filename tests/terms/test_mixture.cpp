@@ -41,9 +41,11 @@ struct Square {
     PhaseHandle<Water> liquid;
     PhaseHandle<Sponge> body;
 };
-Square full_square(double permeability, double gravity, double jittered = 0) {
+Square full_square(double permeability, double gravity, double jittered = 0, int threads = 1) {
     Square s{
-        Scene({.gravity = {gravity, 0}, .support_radius = 2.6 * dx, .periodic_length = {1, 1}, .threads = 1}), {}, {}};
+        Scene({.gravity = {gravity, 0}, .support_radius = 2.6 * dx, .periodic_length = {1, 1}, .threads = threads}),
+        {},
+        {}};
     const auto places = fill(Box<2>{{0, 0}, {1, 1}}, dx);
     s.liquid = s.scene.add(water(), jitter<2>(places, jittered * dx, 1), dx);
     s.body = s.scene.add(sponge(), places, dx);
@@ -152,6 +154,14 @@ TEST_CASE("The forces of water and skeleton are the derivative of the energy tha
     }
     CHECK(kinetic_energy(scene[s.body]) < 0.9 * moving);
     CHECK(most < 0.02 * moving);
+}
+
+TEST_CASE("Water and skeleton move the same with one thread and with two") {
+    auto one = full_square(1e-9, 2, 0.2, 1), two = full_square(1e-9, 2, 0.2, 2);
+    one.scene.run_until(0.05);
+    two.scene.run_until(0.05);
+    CHECK((one.scene[one.liquid][position] == two.scene[two.liquid][position]));
+    CHECK((one.scene[one.body][position] == two.scene[two.body][position]));
 }
 
 TEST_CASE("A full skeleton swells and softens: its law sees the strain by which it is not yet swollen") {
