@@ -2,6 +2,8 @@
 #include <cases/validation/oscillating_plate.hpp>
 #include <catch_shim.hpp>
 
+namespace oscillating_plate_test {
+
 namespace plate = validation::oscillating_plate;
 
 TEST_CASE("A plate loses nothing in ten periods", "[validation][solid]") {
@@ -13,3 +15,5 @@ TEST_CASE("A plate loses nothing in ten periods", "[validation][solid]") {
     CHECK(seen.peaks.back() > 0.98 * seen.peaks.front());
     CHECK(seen.peaks.back() < 1.02 * seen.peaks.front());
 }
+
+} // namespace oscillating_plate_test
