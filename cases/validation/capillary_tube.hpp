@@ -2,10 +2,10 @@
 //
 // Reference: Jurin; in a tube of radius R beside an open area A that touches it along a circle of radius S, the levels
 // differ by sigma cos theta/((rho - rho_o) g) (2/R - 2 pi S/A).
-// Geometry: R = 1, a tube of 4 spacings, 0.6 from floor and ceiling, in a periodic square of 5; height 4, water up to
-// 2; rho = sigma = 1, rho_o = 0.5, g = 2, viscosity 0.03 of both; the levels begin with half of the difference. Scheme:
-// presets::TwoLiquids in float, from a lattice jittered by a fifth of a spacing; sound is 14. Measure: the mean level
-// of water in the tube, by its volume, less that outside, from t = 10.5 to 14.
+// Geometry: R = 1, a tube of 4 spacings, 0.6 from floor and ceiling, in a periodic square of 5; height 4, water up to 2;
+// rho = sigma = 1, rho_o = 0.5, g = 2, viscosity 0.03 of both; the levels begin with half of the difference.
+// Scheme: presets::TwoLiquids in float, from a lattice jittered by a fifth of a spacing; sound is 14.
+// Measure: the mean level of water in the tube, by its volume, less that outside, from t = 10.5 to 14.
 #pragma once
 
 #include "case.hpp"

@@ -53,10 +53,10 @@ struct Known {
     const char* name;
 };
 inline constexpr Known known[]{{.05, 15.56, "c = 0.05"},
-                               {.10, 24.83, "c = 0.10"},
-                               {.20, 51.53, "c = 0.20"},
-                               {.30, 102.90, "c = 0.30"},
-                               {.04 * std::numbers::pi, 30.359, "radius 0.2 L"}};
+                                {.10, 24.83, "c = 0.10"},
+                                {.20, 51.53, "c = 0.20"},
+                                {.30, 102.90, "c = 0.30"},
+                                {.04 * std::numbers::pi, 30.359, "radius 0.2 L"}};
 
 inline std::vector<Measured> measure(int across) {
     std::vector<Measured> found;

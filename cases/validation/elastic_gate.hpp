@@ -34,8 +34,8 @@ constexpr std::array<Reading, 5> experiment{{{0.040, 0.0125, 0.0011},
                                              {0.360, 0.0374, 0.0109}}};
 
 struct Way {
-    std::array<sph::Point<2>, experiment.size()> then; ///< of the lower end, at the times of the experiment, m
-    sph::Point<2> greatest{0, 0}, last{0, 0};          ///< of the lower end, when it is farthest aside and at last, m
+    std::array<sph::Point<2>, experiment.size()> then;      ///< of the lower end, at the times of the experiment, m
+    sph::Point<2> greatest{0, 0}, last{0, 0};               ///< of the lower end, when it is farthest aside and at last, m
     sph::Point<2> greatest_corner{0, 0}, last_corner{0, 0}; ///< of its downstream corner at the same times, m
     double time = 0;                                        ///< at which the end is farthest aside, s
 };
@@ -47,8 +47,9 @@ inline Way open(int across, double young, double poisson, double end = 0.4) {
     const double root = dx / 2 + height + 3 * dx; // held, above what is free to move
     Scene scene = scene_of(dx);
     const auto pool = scene.add(column(depth), sph::fill(sph::Box<2>{{0, 0}, {width, depth}}, dx), dx);
-    const auto gate = scene.add(rubber(young, poisson, 1100, across, dx),
-                                sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, root}}, dx), dx);
+    const auto gate =
+        scene.add(rubber(young, poisson, 1100, across, dx),
+                  sph::fill(sph::Box<2>{{width, dx / 2}, {width + thickness, root}}, dx), dx);
     scene.hold(gate, [&](const auto& x) { return x[1] > dx / 2 + height; });
     auto walls = sph::tank(sph::Box<2>{{0, 0}, {length, 0.2}}, dx, 3, sph::Sides::y_high);
     for (const auto& x : sph::fill(sph::Box<2>{{width, root}, {width + thickness, 0.2}}, dx))

@@ -65,8 +65,8 @@ inline Body material(double stretch, double turn) {
     return body;
 }
 
-/// Takes the motion of the body as a whole out of its velocities: packed particles are not quite even, so that a field
-/// of force pushes and turns what nothing holds.
+/// Takes the motion of the body as a whole out of its velocities: packed particles are not quite even, so that a field of
+/// force pushes and turns what nothing holds.
 template <int dim, class View>
 void hold_as_a_whole(const View& view) {
     view[sph::velocity].rowwise() -= view[sph::velocity].colwise().mean().eval();
@@ -90,9 +90,10 @@ void come_to_rest(Scene<dim>& scene, sph::PhaseHandle<Body> body, bool held) {
         if (!held)
             hold_as_a_whole<dim>(view);
         relaxation(view, scene.time());
-        if (step % 50 == 0 && view[sph::velocity].rowwise().norm().maxCoeff() <
-                                  1e-4 * relaxation.rate() *
-                                      (view[sph::position] - view[sph::reference_position]).rowwise().norm().maxCoeff())
+        if (step % 50 == 0 &&
+            view[sph::velocity].rowwise().norm().maxCoeff() <
+                1e-4 * relaxation.rate() *
+                    (view[sph::position] - view[sph::reference_position]).rowwise().norm().maxCoeff())
             return;
     }
 }

@@ -35,8 +35,9 @@ std::array<double, 5> axis_velocities(int across, double support = 3) {
     sph::Point<3> axis = sph::Point<3>::Zero();
     for (const auto& x : parts.liquid)
         axis += x / static_cast<double>(parts.liquid.size());
-    std::erase_if(parts.obstacle,
-                  [&](const auto& x) { return distance(sph::Point<3>(x - axis)) > 1 + (support + 0.5) * spacing; });
+    std::erase_if(parts.obstacle, [&](const auto& x) {
+        return distance(sph::Point<3>(x - axis)) > 1 + (support + 0.5) * spacing;
+    });
     auto scene = creeping::scene_of<K, Real, 3>(parts, {length, 0, 0}, {force, 0, 0}, spacing, support, 40);
 
     std::array<double, 5> middle{};
