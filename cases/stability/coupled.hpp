@@ -149,9 +149,9 @@ Outcome water_on_plate(const Plan& plan) {
     const auto water = add_water<typename C::Fluid>(scene, block, c);
     scene[water][sph::velocity].col(1).setConstant(static_cast<Real>(-v));
     const Watch<dim> watch{.end = 15 * dx / v,
-                           .guard = {.energy = 0.05},
-                           .signs = {{"particles inside the plate", 0.5}},
-                           .expected_steps = 15 * c / v};
+                         .guard = {.energy = 0.05},
+                         .signs = {{"particles inside the plate", 0.5}},
+                         .expected_steps = 15 * c / v};
     return march(scene, plan, watch, [&](const auto& s) {
         const auto w = s[water][sph::position], p = s[plate][sph::position];
         int inside = 0;
@@ -185,8 +185,7 @@ Outcome free_fall(const Plan& plan) {
 /// A block that is `value` times as heavy as water is let go on a pool. Row 8: what it has to push is its added mass.
 template <class C, class Real = double, int dim = 2>
 Outcome block_on_pool(const Plan& plan) {
-    constexpr double wide = dim == 2 ? 20 : 14, deep = dim == 2 ? 8 : 6, off = C::gap * dx, inner = wide * dx + 2 * off,
-                     surface = deep * dx + off;
+    constexpr double wide = dim == 2 ? 20 : 14, deep = dim == 2 ? 8 : 6, off = C::gap * dx, inner = wide * dx + 2 * off, surface = deep * dx + off;
     // The film under a sinking block has to stop the block, not the water alone.
     const double c = 10 * std::sqrt(2 * g * deep * dx * std::max(1.0, plan.value)), unit = std::sqrt(deep * dx / g);
     auto scene = coupled_scene<C, Real, dim>(c);
@@ -204,11 +203,11 @@ Outcome block_on_pool(const Plan& plan) {
     const double end = (plan.value > 2 ? std::sqrt(2.0) : 3) * unit;
     const double c_body = scene[block].material().longitudinal_wave_speed();
     const Watch<dim> watch{.end = end,
-                           .guard = {},
-                           .signs = {{"speed of the block over that of waves", 3},
-                                     {"share of steps in which the push changes its course", 0.9}},
-                           .every = 1,
-                           .expected_steps = end * std::max(c, c_body) / dx};
+                         .guard = {},
+                         .signs = {{"speed of the block over that of waves", 3},
+                                   {"share of steps in which the push changes its course", 0.9}},
+                         .every = 1,
+                         .expected_steps = end * std::max(c, c_body) / dx};
     return march(scene, plan, watch, [&](const auto& s) {
         const double now = sph::momentum(s[block])[1];
         if (s.time() > time) {

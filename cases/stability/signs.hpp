@@ -73,14 +73,13 @@ double least_concentration(const View& phase, const Counts& counts) {
     return least;
 }
 
-/// How far a particle is below the floor (y = 0) or beyond the side x = `right`, in space also z = `right`, in
-/// spacings. At least 0.
+/// How far a particle is below the floor (y = 0) or beyond the side x = `right`, in space also z = `right`, in spacings.
+/// At least 0.
 template <class View>
 double way_into_wall(const View& phase, double right) {
     const auto x = phase[sph::position];
-    const double deepest =
-        std::max(-static_cast<double>(x.col(1).minCoeff()),
-                 static_cast<double>(x(Eigen::all, Eigen::seq(0, Eigen::last, 2)).maxCoeff()) - right);
+    const double deepest = std::max(-static_cast<double>(x.col(1).minCoeff()),
+                                    static_cast<double>(x(Eigen::all, Eigen::seq(0, Eigen::last, 2)).maxCoeff()) - right);
     return std::max(deepest, 0.0) / phase.material().spacing;
 }
 
