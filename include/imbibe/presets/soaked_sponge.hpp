@@ -82,7 +82,7 @@ struct SoakedSponge {
         : Solid<TotalLagrangianSolid<PorousSkeleton<CompressibleNeoHookean>, K>, TotalLagrangianViscosity<K>> {};
     struct Tray : Wall<> {};
     struct Plate : Wall<> {
-        using motion = Prescribed;
+        using motion = Prescribed; ///< with the velocity that Run gives it
     };
     struct Soaking : CouplingOf<Water, Sponge> {};
     struct InTray : CouplingOf<Water, Tray> {};
