@@ -81,7 +81,7 @@ struct DarcyDrag : NotStiff { // implicit: no step is too long
     using Prepared = PreparedDarcyDrag;
     static constexpr bool between_fluid_and_other = true;
     static constexpr bool needs_viscosity = true;
-    using Drag = detail::ImplicitDrag<detail::DarcyLaw<Kernel>>;
+    using Drag = detail::ImplicitDrag<detail::DarcyLaw<Kernel>>; ///< its two parts
     using parts = Parts<Volume, typename Drag::Rate, typename Drag::Slow>;
 
     /// Of the scene's lattice.

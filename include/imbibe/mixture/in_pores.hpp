@@ -156,6 +156,7 @@ struct PoreDensityDiffusion {
         using adds = Fields<density_rate>;
         Parameters parameters{};
 
+        /// delta n of a particle.
         IMBIBE_INLINE constexpr auto strength(const auto& a) const {
             const double change = parameters.delta_in_pores - parameters.delta;
             return a[porosity] * (parameters.delta + change * min(a[skeleton_sum], 1.0));

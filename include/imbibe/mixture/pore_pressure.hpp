@@ -32,7 +32,8 @@ namespace imbibe {
 /// Source: the equations, Biot (1941); the sums, own, by virtual work.
 template <class Kernel = WendlandC2>
 struct PorePressure {
-    static constexpr bool between_fluid_and_other = true, overlapping = true;
+    static constexpr bool between_fluid_and_other = true;
+    static constexpr bool overlapping = true; ///< no warning that the two are in the same place
     struct Push {
         using reads =
             Fields<mass, volume, pore_pressure, wetting, porosity, skeleton_sum, solid_volume, present_volume>;

@@ -57,7 +57,8 @@ struct PreparedPoreSpace {
 /// Source: Boettcher, Jeske, Westhofen and Bender (2025) for the overlap.
 template <class Kernel = WendlandC2>
 struct PoreSpace {
-    static constexpr bool one_sided = true, overlapping = true;
+    static constexpr bool one_sided = true;
+    static constexpr bool overlapping = true; ///< no warning that the two are in the same place
     using Parameters = PoreSpaceParameters;
     using Prepared = PreparedPoreSpace;
     struct Sum { // a: fluid, b: skeleton

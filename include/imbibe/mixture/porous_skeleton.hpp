@@ -142,7 +142,8 @@ IMBIBE_INLINE constexpr T power_of_stretch(T stretch) {
 /// @tparam Law StVenantKirchhoff, CompressibleNeoHookean or IsochoricNeoHookean
 template <class Law = StVenantKirchhoff, class Kernel = WendlandC2>
 struct PorousSkeleton {
-    static constexpr bool of_solids = true, porous = true;
+    static constexpr bool of_solids = true;
+    static constexpr bool porous = true; ///< SeepingFluid's couplings look for it
     static constexpr double greatest_poisson_ratio = Law::greatest_poisson_ratio;
     using Parameters = PorousSkeletonParameters;
 
