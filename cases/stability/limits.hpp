@@ -133,8 +133,8 @@ struct Warm : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
 struct Warmer : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
 struct Touching : sph::Coupling<Warm, Warmer, sph::HeatTransfer<C2>> {};
 struct Heated : sph::Wall<sph::SurfaceTemperature> {};
-struct Heating
-    : sph::Coupling<Warm, Heated, sph::Into<Heated, sph::TemperatureExtrapolation<C2>>, sph::HeatTransfer<C2>> {};
+struct Heating : sph::Coupling<Warm, Heated, sph::Into<Heated, sph::TemperatureExtrapolation<C2>>,
+                               sph::HeatTransfer<C2>> {};
 template <class Phase>
 Phase warm(double conductivity) {
     Phase phase{{.density = 1000, .sound_speed = 1e-6}};
@@ -432,7 +432,7 @@ inline Outcome swing(const Plan& plan) {
     sph::Solver<2, double, sph::SymplecticEuler, Swinging> scene({.support_radius = dx, .threads = 1});
     const auto one = scene.add(Swinging{{.density = 1000, .sound_speed = 1}}, {{start, 0}}, dx);
     const double most = std::sqrt(Spring::k) * start; // its greatest speed, were the steps short
-    scene.step(1e-9);                                 // from here on there is an acceleration to limit the steps
+    scene.step(1e-9); // from here on there is an acceleration to limit the steps
     const Watch<2> watch{.end = 100 / std::sqrt(Spring::k),
                          .guard = {.speed = 1e6, .energy = std::numeric_limits<double>::infinity()},
                          .signs = {{"speed over that of the exact swing", 4}},

@@ -1,14 +1,11 @@
 // A fluid that goes in and out of skeletons whose pores are too small to resolve.
 #pragma once
 
-#include <imbibe/core/method.hpp>
-#include <imbibe/fluid/continuity.hpp>
-#include <imbibe/fluid/volume_pressure.hpp>
+#include <imbibe/methods/weakly_compressible.hpp>
 #include <imbibe/mixture/darcy_drag.hpp>
 #include <imbibe/mixture/in_pores.hpp>
 #include <imbibe/mixture/pore_pressure.hpp>
 #include <imbibe/mixture/pore_space.hpp>
-#include <imbibe/wall/pressure_extrapolation.hpp>
 
 #include <type_traits>
 
@@ -42,8 +39,7 @@ struct SeepingFluid
     using coupling = std::conditional_t<detail::has_pores(typename Other::terms{}),
                                         TypeList<Into<Liquid, PoreSpace<Kernel>>, Into<Other, PoreContents<Kernel>>,
                                                  PorePressure<Kernel>, DarcyDrag<Kernel>>,
-                                        TypeList<Into<Other, PressureExtrapolation<Kernel>>, VolumePressure<Kernel>,
-                                                 Into<Liquid, VolumeContinuity<Kernel>>>>;
+                                        typename WeaklyCompressible<Kernel>::template coupling<Liquid, Other>>;
 };
 
 } // namespace imbibe

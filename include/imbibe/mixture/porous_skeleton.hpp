@@ -46,7 +46,7 @@ struct StressFreeSum : Field<Rank::scalar> {
 };
 inline constexpr StressFreeSum stress_free_sum{};
 
-/// The pressure that the fluid in the pores puts on the skeleton by giving way to its change of volume, Pa: (1 - n) p.
+/// The pressure with which the fluid in the pores resists a change of the skeleton's volume, Pa; see PoreContents.
 struct PoreStress : Field<Rank::scalar> {
     static constexpr std::string_view name = "pore_stress", unit = "Pa";
 };
@@ -110,15 +110,6 @@ struct Unswollen {
     }
 };
 
-// l^dim of the stretch l.
-template <int dim, class T>
-IMBIBE_INLINE constexpr T power_of_stretch(T stretch) {
-    if constexpr (dim == 0)
-        return T(1);
-    else
-        return stretch * power_of_stretch<dim - 1>(stretch);
-}
-
 } // namespace detail
 
 /// A law of stress for a skeleton and its pores, `TotalLagrangianSolid<PorousSkeleton<StVenantKirchhoff>>`:
@@ -159,7 +150,7 @@ struct PorousSkeleton {
             constexpr int dim = A::dimension;
             const T stretch = 1 + parameters.swelling * a[saturation];
             const auto dry = Law{}(detail::Unswollen<A>{a, a.material, 1 / stretch});
-            const T stiffness = (1 - parameters.softening * a[saturation]) * detail::power_of_stretch<dim - 1>(stretch);
+            const T stiffness = (1 - parameters.softening * a[saturation]) * power<dim - 1>(stretch);
             return stiffness * dry - a[pore_stress] * transpose(adjugate(a[deformation_gradient]));
         }
     };
@@ -207,7 +198,7 @@ struct PorousSkeleton {
             if (!(determinant(F) > 0))
                 return 0; // not computed yet
             return a[stress_share] * a[mass] / a.material.density * (1 - of.softening * a[saturation]) *
-                   detail::power_of_stretch<dim>(stretch) * Law::stored_energy(a.material, (1 / stretch) * F);
+                   power<dim>(stretch) * Law::stored_energy(a.material, (1 / stretch) * F);
         }
     };
     using reductions = Parts<Energy>;
