@@ -78,6 +78,8 @@ int main(int argc, char** argv) {
         {"wet-layer", "particles over half of it", {20, 40}, biot::measure_layer},
         {"wet-ball", "particles over its radius", {8, 12}, biot::measure_ball},
         {"sunken-sponge", "particles over the tank", {20, 40}, sunken_sponge::measure},
+        {"resolved-sponge", "particles across a slot", {4, 8, 12}, slotted_sponge::resolved::measure},
+        {"mixed-sponge", "particles over the sponge", {10, 20, 40}, slotted_sponge::mixed::measure},
         {"imbibition", "particles over the column", {20, 40}, imbibition::measure},
         {"cavity", "particles along a side", {25, 50}, cavity::measure},
         {"heated-cavity", "particles along a side", {20, 40}, heated_cavity::measure},
