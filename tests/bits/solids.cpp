@@ -38,7 +38,7 @@ struct Bump : sph::Coupling<Soft, Hard, sph::KernelRepulsion<>> {};
 
 void run_solids(Record& record) {
     record.run_both("rubber rings", []<class Real>(Real, int threads) {
-        sph::Solver<2, Real, sph::Leapfrog, Rings> scene({.support_radius = 2.6 * dx, .threads = threads});
+        sph::Solver<2, Real, sph::Leapfrog, Rings> scene({.support_radius = 2.6 * dx, .cfl = 0.4, .threads = threads});
         const auto ring = [&](double x) {
             return sph::fill(sph::Sphere<2>{{x, 0}, 0.2} - sph::Sphere<2>{{x, 0}, 0.13}, dx);
         };
@@ -51,7 +51,7 @@ void run_solids(Record& record) {
     });
     record.run_both("sub-cycled gate", []<class Real>(Real, int threads) {
         sph::Solver<2, Real, sph::Subcycled<Gate>, Water, Gate, Tank, Push, Sides> scene(
-            {.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .search_interval = 3, .threads = threads});
+            {.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .cfl = 0.4, .search_interval = 3, .threads = threads});
         scene.add(Water{{.density = 1000, .sound_speed = 20}}, sph::fill(sph::Box<2>({0, 0}, {0.2, 0.3}), dx), dx);
         const auto gate = scene.add(Gate{{.density = 1100, .sound_speed = 60, .shear_modulus = 1e6}},
                                     sph::fill(sph::Box<2>({0.2, 0.5 * dx}, {0.24, 0.4}), dx, {0, 0.5 * dx}), dx);
@@ -61,7 +61,7 @@ void run_solids(Record& record) {
     });
     record.run_both("bodies across periodic sides", []<class Real>(Real, int threads) {
         sph::Solver<3, Real, sph::PositionVerlet, Soft, Hard, Bump> scene(
-            {.support_radius = 1.5 * dx, .periodic_length = {0.2, 0.2, 0.2}, .threads = threads});
+            {.support_radius = 1.5 * dx, .cfl = 0.4, .periodic_length = {0.2, 0.2, 0.2}, .threads = threads});
         const auto soft = scene.add(Soft{{.density = 1000, .sound_speed = 30, .shear_modulus = 2e5}},
                                     sph::fill(sph::Box<3>({0.15, 0, 0}, {0.2, 0.06, 0.06}), dx), dx);
         const auto hard = scene.add(Hard{{.density = 2000, .sound_speed = 40, .shear_modulus = 1e6}},

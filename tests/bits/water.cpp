@@ -49,7 +49,8 @@ std::vector<sph::Point<dim>> shaken(std::vector<sph::Point<dim>> points) {
 void run_water(Record& record) {
     using Preset = sph::presets::SoundWater;
     record.run_both("dam break 2D", []<class Real>(Real, int threads) {
-        Preset::Scene<2, Real> scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .threads = threads});
+        Preset::Scene<2, Real> scene(
+            {.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .cfl = 0.4, .threads = threads});
         Preset::Water water{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
         Preset::set_coefficients(water);
         Preset::set_coefficients(scene.template coupling<Preset::Sides>(), water);
@@ -59,7 +60,7 @@ void run_water(Record& record) {
     });
     record.run_both("Riemann's dam break 3D", []<class Real>(Real, int threads) {
         sph::Solver<3, Real, sph::SymplecticEuler, Wave, Basin, Shore> scene(
-            {.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx, .threads = threads});
+            {.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx, .cfl = 0.4, .threads = threads});
         scene.add(Wave{{.density = 1000, .sound_speed = 20, .viscosity = 1}},
                   sph::fill(sph::Box<3>({0, 0, 0}, {0.16, 0.12, 0.2}), dx), dx);
         scene.add(Basin{{.density = 1000, .viscosity = 1}},
@@ -71,6 +72,7 @@ void run_water(Record& record) {
         const sph::Sphere<2> bar({0.3, 0.3}, 0.15);
         sph::Solver<2, Real, Dual, Syrup, Bars, AtBars> scene({.gravity = {1, 0},
                                                                .support_radius = 2.6 * dx,
+                                                               .cfl = 0.4,
                                                                .periodic_length = {0.6, 0.6},
                                                                .search_skin = 0.1,
                                                                .threads = threads});
@@ -80,8 +82,11 @@ void run_water(Record& record) {
         return scene;
     });
     record.run_both("two liquids", []<class Real>(Real, int threads) {
-        sph::Solver<2, Real, sph::MidpointRungeKutta, Heavy, Light, Interface> scene(
-            {.gravity = {0, -1}, .support_radius = 2.6 * dx, .periodic_length = {0.6, 0}, .threads = threads});
+        sph::Solver<2, Real, sph::MidpointRungeKutta, Heavy, Light, Interface> scene({.gravity = {0, -1},
+                                                                                      .support_radius = 2.6 * dx,
+                                                                                      .cfl = 0.4,
+                                                                                      .periodic_length = {0.6, 0},
+                                                                                      .threads = threads});
         scene.add(Heavy{{.density = 1000, .sound_speed = 10, .viscosity = 1}},
                   shaken<2>(sph::fill(sph::Box<2>({0, 0}, {0.6, 0.3}), dx)), dx);
         scene.add(Light{{.density = 500, .sound_speed = 10, .viscosity = 1}},
@@ -90,6 +95,7 @@ void run_water(Record& record) {
     });
     record.run_both("corrected gradients, periodic, many steps a search", []<class Real>(Real, int threads) {
         sph::Solver<2, Real, sph::PredictorCorrector, Exact> scene({.support_radius = 2.6 * dx,
+                                                                    .cfl = 0.4,
                                                                     .periodic_length = {0.6, 0.6},
                                                                     .search_interval = 4,
                                                                     .search_skin = 0.1,

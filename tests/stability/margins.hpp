@@ -7,6 +7,7 @@
 #include <cases/stability/march.hpp>
 
 #include <imbibe/presets/sponge_case.hpp>
+#include <imbibe/solver/settings.hpp>
 
 namespace gauntlet {
 
@@ -28,7 +29,8 @@ inline void check_stable(const auto& run, double cfl, double value) {
 /// Stable at the default CFL number and a quarter above it.
 template <class Run>
 void check_margin(const Run& run, double value = 0) {
-    for (const double cfl : {0.4, 0.5})
+    const double offered = imbibe::Settings<2>{}.cfl;
+    for (const double cfl : {offered, 1.25 * offered})
         check_stable(run, cfl, value);
 }
 /// The same for what the sponge's preset is made of, and at the preset's CFL number and a quarter above that.

@@ -26,7 +26,7 @@ struct Settings {
     /// Support radius H of all phases that do not bring their own, m.
     double support_radius = 0;
     /// Courant-Friedrichs-Lewy number: the fraction of the longest stable step that is used.
-    double cfl = 0.4;
+    double cfl = 0.75;
     /// A fixed time step, s; 0: adaptive, the least of all limits times `cfl`.
     double time_step = 0;
     /// The longest step an adaptive run takes, s.
@@ -65,7 +65,7 @@ struct Settings {
             require(std::isfinite(g), "gravity has a component ", g, " m/s^2; all must be finite");
         require(std::isfinite(support_radius) && support_radius > 0, "support_radius = ", support_radius,
                 " m; it must be above 0 m, usually 2 to 3 particle spacings");
-        require(cfl > 0 && cfl <= 2, "cfl = ", cfl, "; it must be above 0 and not above 2, usually 0.4");
+        require(cfl > 0 && cfl <= 2, "cfl = ", cfl, "; it must be above 0 and not above 2, usually 0.75");
         require(std::isfinite(time_step) && time_step >= 0, "time_step = ", time_step,
                 " s; it must not be negative (0 means adaptive)");
         require(max_time_step > 0, "max_time_step = ", max_time_step, " s; it must be above 0 s");
