@@ -20,6 +20,9 @@ struct Syrup : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::Volum
 };
 struct CorrectedSyrup : sph::Fluid<sph::LinearState, sph::CorrectedGradients<K>, sph::MorrisViscosity<K>> {};
 using Scene = sph::Solver<2, float, sph::SymplecticEuler, Water, Tank, Sides>;
+struct Gate : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, sph::TimeAveragedMotion> {};
+struct AtGate : sph::Coupling<Calm, Gate, sph::Into<Gate, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>,
+                              sph::Into<Calm, sph::Continuity<K>>> {};
 
 template <int>
 struct Pier : sph::Wall<> {};
@@ -154,6 +157,32 @@ TEST_CASE("The report says what the first step will be", "[reports]") {
     const std::string report = sph::describe(scene);
     const auto limits = scene.time_step_limits();
     says(report, sph::text("first step ", scene.next_step().seconds, " s, from ", limits.front().reason));
+}
+
+TEST_CASE("The report says what would make the scene faster", "[reports]") {
+    constexpr double dx = 0.02;
+    sph::Settings<2> settings{.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .threads = 1};
+    const auto report = [](auto scene) { return sph::describe(scene); };
+    const auto with = [&](const sph::Settings<2>& how) {
+        Scene scene(how);
+        scene.add(Water{{.density = 1000, .sound_speed = 45}}, sph::fill(sph::Box<2>({0, 0}, {0.2, 0.4}), dx), dx);
+        return report(scene);
+    };
+    says(with(settings), "faster: search_interval = 100 and search_skin = 0.1");
+    settings.search_interval = 100;
+    settings.search_skin = 0.1;
+    CHECK(with(settings).find("faster") == std::string::npos);
+
+    const auto gate = [&]<class Integrator>(std::type_identity<Integrator>, double sound_speed) {
+        sph::Solver<2, float, Integrator, Calm, Gate, AtGate> scene(settings);
+        scene.add(Calm{{.density = 1000, .sound_speed = 20}}, sph::fill(sph::Box<2>({0, 0}, {0.8, 0.4}), dx), dx);
+        scene.add(Gate{{.density = 1000, .sound_speed = sound_speed, .shear_modulus = 300 * sph::sq(sound_speed)}},
+                  sph::fill(sph::Box<2>({0.8, 0}, {0.88, 0.4}), dx), dx);
+        return report(scene);
+    };
+    says(gate(std::type_identity<sph::SymplecticEuler>{}, 200), "faster: the integrator Subcycled<Gate>");
+    CHECK(gate(std::type_identity<sph::SymplecticEuler>{}, 5).find("faster") == std::string::npos);
+    CHECK(gate(std::type_identity<sph::Subcycled<Gate>>{}, 200).find("faster") == std::string::npos);
 }
 
 TEST_CASE("The live line says how far, how fast, what limits the step, and how long still", "[reports]") {

@@ -93,7 +93,8 @@ std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings
 } // namespace detail
 
 /// The report of a scene: which effects are on, what a particle stores, how the work is scheduled, how many neighbours
-/// there are, between which phases nothing acts, and what limits the time step. Prepares the scene for its first step.
+/// there are, between which phases nothing acts, what limits the time step, and what would make the scene faster. Prepares
+/// it for its first step.
 template <class Scene>
 std::string describe(Scene& scene) {
     using Costs = imbibe::Costs<Scene>;

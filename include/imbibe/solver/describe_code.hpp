@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace imbibe::detail {
 
@@ -64,6 +65,50 @@ std::string uncoupled_in_words(const SceneStore<dim, Real>& scene) {
     return words.empty() ? words : words + "\n";
 }
 
+/// Lines that say what would make the scene faster, as it is now: searches that serve several steps, a solid that takes
+/// its short steps alone; or none.
+template <int dim, class Real>
+std::string advice_in_words(const Neighbourhood<dim, Real>& scene, const Settings<dim>& settings,
+                            const TypesInWords& types, const LimitsInWords& limits) {
+    std::string words;
+    const double step = limits.first.seconds;
+    if (settings.search_interval == 1 && limits.substep.empty()) { // DualStepping searches in long steps
+        double served = 1e6;                                       // steps in which nothing moves 5 % of its support
+        for (std::size_t k = 0; k < scene.phases.size(); ++k) {
+            const Motion motion = scene.motion_now(static_cast<int>(k));
+            const double way = 0.05 * scene.phases[k].numbers().support_radius, v = motion.speed,
+                         a = motion.acceleration;
+            // v t + a t^2/2 = way
+            if (scene.phases[k].row->moves && (v > 0 || a > 0))
+                served = std::min(served, 2 * way / (v + std::sqrt(v * v + 2 * a * way)) / step);
+        }
+        if (served >= 3)
+            words +=
+                text("  faster: search_interval = 100 and search_skin = 0.1; as it moves now, neighbours would serve ",
+                     served >= 100 ? "100" : text(std::floor(served)), " steps\n");
+    }
+    // What the pairs inside the phase that sets the step cost, and all others, in numbers that are loaded.
+    double own = 0, others = 0, next = std::numeric_limits<double>::infinity();
+    bool is_solid = false;
+    for (std::size_t k = 0; k < scene.links.size(); ++k) {
+        const LinkRow& row = scene.links[k].row;
+        const double cost =
+            scene.phase(row.a).size() * std::max(scene.mean_neighbours(scene.links[k]), 0.0) * types.loads[k];
+        const bool inside = row.a == row.b && scene.phase(row.a).name == limits.first.where;
+        (inside ? own : others) += cost;
+        is_solid = is_solid || (inside && row.reference);
+    }
+    for (const TimeStepLimit& limit : limits.step)
+        if (limit.where != limits.first.where)
+            next = std::min(next, settings.cfl * limit.seconds);
+    const double ratio = std::ceil(std::min(next, settings.max_time_step) / step);
+    if (const double faster = (own + others) / (own + others / ratio);
+        is_solid && limits.substep.empty() && faster > 1.2)
+        words += text("  faster: the integrator Subcycled<", limits.first.where, ">, in which it alone takes ", ratio,
+                      " short steps in each: some ", std::round(10 * faster) / 10, " times\n");
+    return words;
+}
+
 template <int dim, class Real>
 std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings<dim>& settings,
                            const TypesInWords& types, const LimitsInWords& limits) {
@@ -99,16 +144,15 @@ std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings
         if (mean > 0)
             out += text("Neighbours: ", scene.phase(row.a).name, " has ", mean, " of ", scene.phase(row.b).name,
                         row.reference ? " (reference)" : "",
-                        row.term == nullptr ? "" : text(" (", row.term(), ", ", support * 1e3, " mm)"),
-                        " on average; ", types.loads[k],
-                        " numbers of each are loaded in a step\n");
+                        row.term == nullptr ? "" : text(" (", row.term(), ", ", support * 1e3, " mm)"), " on average; ",
+                        types.loads[k], " numbers of each are loaded in a step\n");
     }
     out += "Time step:" + limits_in_words(limits.step);
     if (!limits.substep.empty())
         out += "\n  within it:" + limits_in_words(limits.substep);
     out += text("\n  first step ", limits.first.seconds, " s, from ", limits.first.reason, " (", limits.first.where,
                 ")\n");
-    return out;
+    return out + advice_in_words(scene, settings, types, limits);
 }
 
 } // namespace imbibe::detail
