@@ -26,7 +26,7 @@ int main() {
     std::filesystem::remove_all(folder);
     sph::require_writable(folder);
 
-    // 0.4 of the limits is what a scene takes by itself; 1.6 times them is more than they bear.
+    // A scene takes 0.75 of the limits unless told otherwise; 1.6 times them is more than they bear.
     Preset::Scene<2, double> scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .cfl = 1.6});
     Preset::Water water{{.density = 1000, .sound_speed = 28, .viscosity = 1e-3}};
     Preset::set_coefficients(water);

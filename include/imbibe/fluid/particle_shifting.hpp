@@ -93,8 +93,8 @@ struct ShiftingNeighbours {
 ///
 /// and s between 0 inside and 1 at and near a free surface. Particles are moved with v + transport_correction; their
 /// momentum is untouched. The last bound, `most_in_a_step`, is there for long steps dt: shifting is a diffusion of
-/// positions, of which explicit steps bear so much and no more. The steps of sound, at the CFL number 0.4 and a tenth
-/// of its speed, come to half of it with a strength of 2, and to it with 4. MidpointRungeKutta and PredictorCorrector,
+/// positions, of which explicit steps bear so much and no more. The steps of sound, at the CFL number 0.75 and a tenth
+/// of its speed, come to it with a strength of 2, at 0.4 to half of it. MidpointRungeKutta and PredictorCorrector,
 /// which do not tell their terms how long a step is, go without; with Leapfrog the length is that of the step before.
 ///
 /// Keeps particles evenly spread where they would line up along streamlines, and closes the voids that open where the
@@ -162,9 +162,9 @@ struct ParticleShifting {
 
     static constexpr const char* advection_limit_name = "particle shifting";
     /// 2.5 most_in_a_step H^2/(spacing strength v), s, with the greatest speed v, at least `least_speed`: for the long
-    /// steps of DualStepping, if it is evaluated in those. At the usual CFL number, 0.4, that is as long as steps can
-    /// be before `most_in_a_step` shifts particles by less than `strength` asks for; longer ones leave less order among
-    /// them. Steps that sound limits are shorter than that, with a strength of 2, as long as v is below a sixth of its
+    /// steps of DualStepping, if it is evaluated in those. At a CFL number of 0.4 that is as long as steps can be
+    /// before `most_in_a_step` shifts particles by less than `strength` asks for; longer ones, such as those of the
+    /// default of 0.75, leave less order among them. Steps that sound limits are shorter than that, with a strength of 2, as long as v is below a sixth of its
     /// speed.
     static double advection_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double speed = parameters.strength * std::max(in.fastest, parameters.least_speed);
