@@ -14,7 +14,7 @@ using Scene = sph::Solver<3, double, sph::SymplecticEuler, Water, Tank, Contact>
 
 int main() {
     const double dx = 0.02, end = 1.0;
-    // Neighbours are looked for a tenth of the support further, and serve until somebody may have come that near.
+    // Neighbour lists have a 10 % skin and are reused until a particle may have crossed it.
     Scene scene({.gravity = {0, 0, -9.81}, .support_radius = 2.6 * dx, .search_interval = 100, .search_skin = 0.1});
     Water water{{.density = 1000, .sound_speed = 45}};
     water.set(sph::MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});

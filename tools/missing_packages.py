@@ -1,13 +1,17 @@
-"""What to say when Python lacks a package that a tool needs."""
+"""What to do when Python lacks a package that a tool needs."""
 
 import os
 import sys
 
+SYSTEM = "/usr/bin/python3"  # for which tools/install_packages.sh installs
+
 
 def end_without(error):
-    """Ends the program with one line: which package is missing (error: the ImportError), and the remedy."""
-    script = os.path.relpath(sys.argv[0]) if sys.argv[0] else "this"
-    remedy = f"install numpy and matplotlib: {sys.executable} -m pip install numpy matplotlib"
-    if sys.executable != "/usr/bin/python3" and os.path.exists("/usr/bin/python3"):
-        remedy = f"run it with /usr/bin/python3, which has them after tools/install_packages.sh, or {remedy}"
-    sys.exit(f"{os.path.basename(script)}: {sys.executable} has no {error.name}; {remedy}")
+    """Starts the tool again with the system's Python where that is another one than this; otherwise ends it with one line:
+    which package is missing (error: the ImportError), and the remedy."""
+    script = sys.argv[0]
+    if os.path.isfile(script) and os.path.exists(SYSTEM) and os.path.realpath(sys.executable) != os.path.realpath(SYSTEM):
+        sys.stdout.flush()
+        os.execv(SYSTEM, [SYSTEM, *sys.argv])
+    sys.exit(f"{os.path.basename(script) or 'this'}: {sys.executable} has no {error.name}; install it: "
+             f"sh tools/install_packages.sh, or {sys.executable} -m pip install numpy matplotlib")

@@ -7,9 +7,12 @@ times, one panel each.
     python3 tools/render_plane.py out-dam-break --slice 140 160 -o dam_break.png
     python3 tools/render_plane.py out-soaked-sponge --walls tray plate --field sponge saturation -o soaked_sponge.png
 
-Particles are drawn as discs of their own area: the fluid coloured by its speed, what of it is frozen in the colour of
-ice, walls grey, other phases in one colour, by how far they have been displaced (--displaced), or by one of the fields
-in the files (--field).
+    python3 tools/render_plane.py out-first-hour --field water pressure -o first_hour.png
+
+Each phase is drawn as a smooth area, the kernel average of its particles' colours: the fluid by its speed, what of it is
+frozen in the colour of ice, walls grey, other phases in one colour or by how far they have been displaced (--displaced).
+One phase, the fluid too, can be coloured by a field of the files instead (--field). --dots draws particles as discs of
+their own area.
 """
 
 import argparse
@@ -37,6 +40,7 @@ def read_arguments():
     parser.add_argument("--displaced", metavar="PHASE", help="a total-Lagrangian solid to be coloured by its displacement")
     parser.add_argument("--field", nargs=2, metavar=("PHASE", "FIELD"),
                         help="a phase to be coloured by one of its scalar fields, and that field's name in the files")
+    parser.add_argument("--dots", action="store_true", help="draw each particle as a disc of its own area")
     parser.add_argument("--columns", type=whole_number, default=2, help="panels beside each other (default: 2)")
     parser.add_argument("--slice", nargs=2, type=float, metavar="MM",
                         help="in three dimensions: only what lies between these two y, in mm, seen along y")
@@ -67,6 +71,32 @@ def fluid_colours(snapshot, shares):
     return colours
 
 
+def smooth(snapshot, colours, spacing, low, high, pixels=700):
+    """An image of a phase over the rectangle from `low` to `high` (m): the mean of its particles' colours (n, 4) by a
+    Wendland kernel, clear where the sum of the particles' areas times the kernel is below a third."""
+    cell = max(max(high - low) / pixels, spacing / 12)
+    columns, rows = np.ceil((high - low) / cell).astype(int)
+    support = 2 * spacing
+    place = (snapshot.points[:, :2] - low) / cell - 0.5
+    nearest = np.rint(place).astype(int)
+    sums = np.zeros((5, rows * columns))
+    weights = np.concatenate([colours[:, :3], np.ones((len(colours), 1)), colours[:, 3:]], axis=1).T
+    reach = int(np.ceil(support / cell))
+    for i in range(-reach, reach + 1):
+        for j in range(-reach, reach + 1):
+            at = nearest + (i, j)
+            q = np.linalg.norm(at - place, axis=1) * cell / (support / 2)
+            use = (q < 2) & (at >= 0).all(axis=1) & (at < (columns, rows)).all(axis=1)
+            kernel = (1 - q[use] / 2) ** 4 * (2 * q[use] + 1)
+            pixel = at[use, 1] * columns + at[use, 0]
+            for k in range(5):
+                sums[k] += np.bincount(pixel, weights[k, use] * kernel, rows * columns)
+    covered = sums[3] * spacing**2 * 7 / (np.pi * support**2)
+    image = sums[[0, 1, 2, 4]] / np.maximum(sums[3], 1e-12)
+    image[3] *= np.clip((covered - 0.28) / 0.1, 0, 1)
+    return image.T.reshape(rows, columns, 4), (low[0], low[0] + columns * cell, low[1], low[1] + rows * cell)
+
+
 def shaded(arguments, moments):
     """The values of the field by which a phase is coloured, at each of the moments, and what to call them."""
     if arguments.displaced:
@@ -77,6 +107,8 @@ def shaded(arguments, moments):
     if any(field not in moment[phase].arrays for moment in moments):
         known = ", ".join(sorted(name for name, values in moments[0][phase].arrays.items() if values.ndim == 1))
         end_with(f"the snapshots of {phase} have no {field}; numbers that they have: {known}")
+    unit = moments[0][phase].units.get(field, "")
+    what += f" [{unit}]" if unit not in ("", "1") and not arguments.displaced else ""
     values = [moment[phase].arrays[field] for moment in moments]
     if arguments.displaced:
         values = [1e3 * np.linalg.norm(way, axis=1) for way in values]
@@ -97,8 +129,6 @@ def main():
             end_with(f"there is no {phase}.pvd in {arguments.folder}")
         if not lists[phase]:
             end_with(f"{phase}.pvd in {arguments.folder} has no snapshot")
-    if by_field == arguments.fluid:
-        end_with(f"{arguments.fluid} is coloured by its speed already (--fluid); name another phase to be coloured by a field")
     times = np.array([time for time, _ in lists[arguments.fluid]])
     wanted = np.array(arguments.times) * 1e-3 if arguments.times else np.linspace(times[0], times[-1], arguments.count)
     steps = [int(np.argmin(abs(times - time))) for time in wanted]
@@ -126,20 +156,26 @@ def main():
     width = 4.6
     height = width * (high[1] - low[1]) / (high[0] - low[0]) + 0.5
     figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", sharex=True, sharey=True,
-                                  figsize=(width * columns, height * rows + (1.1 if by_field else 0)))
+                                  figsize=(width * columns, height * rows + (1.1 if by_field not in (None, arguments.fluid) else 0)))
     scale = Normalize(0, fastest)
     for panel, step, moment, speed, values in zip(panels.flat, steps, moments, speeds, shades):
         for name, snapshot in moment.items():
             if len(snapshot.points) == 0:
                 continue
-            size = 2e3 * particle_files.spacing_of(snapshot) / np.sqrt(np.pi)
-            colours = (fluid_colours(snapshot, scale(speed)) if name == arguments.fluid
-                       else SPONGE(shade(values)) if name == by_field
-                       else WALL if name in arguments.walls else SPONGE(0.7))
-            panel.add_collection(EllipseCollection(size, size, 0, units="xy", offsets=snapshot.points[:, :2] * 1e3,
-                                                   transOffset=panel.transData, facecolors=colours, linewidths=0))
+            spacing = particle_files.spacing_of(snapshot)
+            colours = (SPONGE(shade(values)) if name == by_field and name != arguments.fluid
+                       else WATER(shade(values)) if name == by_field
+                       else fluid_colours(snapshot, scale(speed)) if name == arguments.fluid
+                       else np.tile(to_rgba(WALL if name in arguments.walls else SPONGE(0.7)), (len(snapshot.points), 1)))
+            if arguments.dots:
+                size = 2e3 * spacing / np.sqrt(np.pi)
+                panel.add_collection(EllipseCollection(size, size, 0, units="xy", offsets=snapshot.points[:, :2] * 1e3,
+                                                       transOffset=panel.transData, facecolors=colours, linewidths=0))
+            else:
+                image, extent = smooth(snapshot, colours, spacing, low * 1e-3, high * 1e-3)
+                panel.imshow(image, origin="lower", extent=np.array(extent) * 1e3, interpolation="bilinear")
         panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-        panel.set_title(f"{times[step] * 1e3:.0f} ms", fontsize=10)
+        panel.set_title(f"{times[step] * 1e3:.3g} ms" if times[step] < 1 else f"{times[step]:.3g} s", fontsize=10)
         panel.tick_params(labelsize=8)
     for panel in list(panels.flat)[len(steps):]:
         panel.set_visible(False)
@@ -147,9 +183,11 @@ def main():
         panel.set_xlabel("x [mm]", fontsize=9)
     for panel in panels[:, 0]:
         panel.set_ylabel("z [mm]" if arguments.slice else "y [mm]", fontsize=9)
-    bars = [(ScalarMappable(scale, WATER), f"speed of the {arguments.fluid} [m/s]")]
+    bars = []
+    if by_field != arguments.fluid:
+        bars.append((ScalarMappable(scale, WATER), f"speed of the {arguments.fluid} [m/s]"))
     if by_field:
-        bars.append((ScalarMappable(shade, SPONGE), shades_in_words))
+        bars.append((ScalarMappable(shade, WATER if by_field == arguments.fluid else SPONGE), shades_in_words))
     for colours, label in bars:
         bar = figure.colorbar(colours, ax=panels, orientation="horizontal", shrink=0.4, aspect=40)
         bar.set_label(label, fontsize=9)

@@ -255,7 +255,7 @@ def draw(moments, arguments):
         for row, (view, _) in enumerate(rows):
             axes = place(k, row)
             if row == 0:
-                axes.set_title(f"{moment.time * 1e3:.4g} ms", weight="bold", color=INK)
+                axes.set_title(f"{moment.time * 1e3:.3g} ms", weight="bold", color=INK)
             if view == "space":
                 axes.imshow(space_view(moment, camera, scales, column * arguments.dpi / (camera.high - camera.low)[0]),
                             interpolation="antialiased")
