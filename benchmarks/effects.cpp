@@ -91,6 +91,9 @@ struct DropBelow : WaterWith<InterfaceForce<K>> {};
 struct Warm : WaterWith<Melting, HeatConduction<K>, Boussinesq> {};
 struct Seeping : Fluid<InPores<>, SeepingFluid<K>> {};
 struct Skeleton : Solid<ReferenceCorrection<K>, DeformationGradient<K>, PorousSkeleton<>, TotalLagrangianForce<K>> {};
+struct WarmSeeping : Fluid<InPores<>, SeepingFluid<K>, HeatCapacity, PoreHeatConduction<K>> {};
+struct WarmSkeleton : Solid<ReferenceCorrection<K>, DeformationGradient<K>, PorousSkeleton<>, TotalLagrangianForce<K>,
+                            HeatCapacity, HeatConduction<K, Reference>> {};
 struct HotFloor : Wall<SurfaceTemperature> {};
 struct Heater : Wall<HeatFlux> {};
 template <class Below, class... Term>
@@ -132,6 +135,7 @@ struct WarmFloorFrozen : ExtrapolationOf<Warm, Floor, Into<Warm, FrozenDrag<K>>>
 struct WarmFloorHeated : ExtrapolationOf<Warm, Heater, Into<Warm, HeatFromWalls<K>>> {};
 struct WarmFloorHot : ExtrapolationOf<Warm, HotFloor, Into<HotFloor, TemperatureExtrapolation<K>>, HeatTransfer<K>> {};
 struct Soaked : CouplingOf<Seeping, Skeleton> {};
+struct WarmSoaked : CouplingOf<WarmSeeping, WarmSkeleton, PoreHeatExchange<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -380,6 +384,9 @@ Cases all_cases() {
         "`InPores`, `PoreDensityDiffusion`, `PoreDensityFloor`, `PorousSkeleton`, `PoreSpace`, `PoreContents`, "
         "`PorePressure` and `DarcyDrag`",
         "pores too small to resolve: a skeleton in all of the cube, both phases together");
+    add<WarmSoaked, Overlap<WarmSeeping, WarmSkeleton, WarmSoaked>>(
+        cases, "the same with `HeatCapacity`, `HeatConduction`, `PoreHeatConduction` and `PoreHeatExchange`",
+        "heat in such pores");
     add_contact<SlabExtrapolation>(
         cases, "`PressureExtrapolation`, with `VolumePressure` and `VolumeContinuity` between the two",
         "pressure without a number to choose");

@@ -1,7 +1,7 @@
 // How long steps can be, and how far a scene can be pushed, before it goes wrong: a matrix of compositions and hard
-// cases, each bisected. Writes the tables of docs/stability.md between their markers.
+// cases, each bisected. Writes the tables of docs/stability_tables.md between their markers.
 //
-//   build-benchmark/studies/stability --write docs/stability.md       half an hour on one core
+//   build-benchmark/studies/stability --write docs/stability_tables.md       half an hour on one core
 //   build-benchmark/studies/stability --composition paper --scene splash --cfl 0.4 --trace       one run, looked at
 //   build-benchmark/studies/stability --part Limits                   a part of the tables, printed
 #include <cases/stability/rows.hpp>
@@ -38,7 +38,7 @@ std::string drift_of(const Outcome& out) {
 
 struct Bisected {
     double largest;
-    Outcome usual, beyond; // at the default CFL number, and at the least one that fails
+    Outcome usual, beyond; // at a CFL number of 0.4, and at the least one that fails
 };
 
 Bisected bisect(const Row& row, double highest) {
@@ -79,7 +79,7 @@ void write_part(std::ostream& out, const std::string& part, const std::vector<Ro
                      largest_words(cell.largest, highest).c_str(),
                      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
-    out << "\n### " << part << "\n\n";
+    out << "\n## " << part << "\n\n";
     if (part != "Limits") {
         out << "| largest stable CFL number |";
         for (const auto& scene : scenes)
@@ -114,7 +114,7 @@ void write_part(std::ostream& out, const std::string& part, const std::vector<Ro
 }
 
 void write_frontiers(std::ostream& out, const std::vector<Frontier>& frontiers) {
-    out << "\n### Physical limits at the CFL number 0.4\n\n"
+    out << "\n## Physical limits at the CFL number 0.4\n\n"
            "| composition | scene | quantity | stable to | tried to | what fails beyond |\n|---|---|---|---|---|---|\n";
     for (const Frontier& f : frontiers) {
         Outcome beyond;

@@ -1,9 +1,9 @@
 // The reference cases: scenes with numbers from outside (cases/validation/, one case a file), each run at several
-// resolutions. Prints the errors and the order at which they fall, and keeps them in the table of docs/validation.md.
+// resolutions. Prints the errors and the order at which they fall, and keeps them in the table of docs/validation_table.md.
 //
 //   build-benchmark/studies/validation couette cylinders            some of them
 //   build-benchmark/studies/validation turek-hron --resolutions 4   coarse only
-//   build-benchmark/studies/validation all --write docs/validation.md
+//   build-benchmark/studies/validation all --write docs/validation_table.md
 #include <cases/validation/biot.hpp>
 #include <cases/validation/capillary_rise.hpp>
 #include <cases/validation/capillary_tube.hpp>
@@ -18,6 +18,7 @@
 #include <cases/validation/elliptic_drop.hpp>
 #include <cases/validation/fitted_bodies.hpp>
 #include <cases/validation/fitted_cylinders.hpp>
+#include <cases/validation/frozen_pores.hpp>
 #include <cases/validation/heated_cavity.hpp>
 #include <cases/validation/imbibition.hpp>
 #include <cases/validation/kolmogorov.hpp>
@@ -75,6 +76,7 @@ int main(int argc, char** argv) {
         {"duct", "particles along a side", {12, 24}, duct::measure},
         {"one-pore", "particles over the radius", {4, 6, 8}, one_pore::measure},
         {"orifice", "particles over the slot", {10, 20}, orifice::measure},
+        {"frozen-pores", "particles in a length of 1", {10, 20, 40}, frozen_pores::measure},
         {"wet-layer", "particles over half of it", {20, 40}, biot::measure_layer},
         {"wet-ball", "particles over its radius", {8, 12}, biot::measure_ball},
         {"sunken-sponge", "particles over the tank", {20, 40}, sunken_sponge::measure},

@@ -7,9 +7,9 @@
 
 The results stay as JSON in build-benchmark/results/; --reuse writes the report from them again without measuring. With
 --quick it takes two minutes instead of ten a round and leaves out the largest scenes. Nothing else should run on the
-machine: the report says how busy it was.
+machine; the report says how busy it was.
 
-Numbers of instructions depend on the compiler only: --counts counts them anew and leaves all else on the page as it is.
+Numbers of instructions depend on the compiler only: --counts writes new ones and leaves the rest of the page.
 """
 
 import argparse
@@ -47,10 +47,10 @@ def percent(part):
     return f"{100 * part:.0f} %"
 
 
-def bar_row(what, asked, value, digits=2, at_most=True):
-    """A row of what was asked for."""
-    met = value <= asked if at_most else value >= asked
-    return [what, f"{'at most' if at_most else 'at least'} {asked:g}", f"{value:.{digits}f}", "yes" if met else "**no**"]
+def bar_row(what, target, value, digits=2, at_most=True):
+    """A row of the table of targets."""
+    met = value <= target if at_most else value >= target
+    return [what, f"{'at most' if at_most else 'at least'} {target:g}", f"{value:.{digits}f}", "yes" if met else "**no**"]
 
 
 def bar_of_instructions(real, ratio):
@@ -64,9 +64,9 @@ def section_of_instructions(build, counts):
     number = lambda name: "-" if name not in found else f"{found[name]:,.{0 if found[name] >= 100 else 1}f}"
     return [
         "## Instructions", "",
-        "How many instructions a particle (of kernels: a value and a gradient) takes, compiled for AVX2 "
-        f"(`-O3 -march=x86-64-v3`, {counts['compiler']}). The numbers stay the same from run to run; "
-        "`tools/compare_counts.py` tells when one has grown.", "",
+        "Instructions per particle (for kernels: per value and gradient), compiled for AVX2 "
+        f"(`-O3 -march=x86-64-v3`, {counts['compiler']}). They do not vary from run to run; "
+        "`tools/compare_counts.py` reports one that has grown.", "",
         f"```sh\npython3 tools/count_instructions.py {os.path.basename(os.path.normpath(build))}"
         "/benchmarks/count_instructions -o counts.json\n```", "",
         *table(["work", *REALS], [[case.replace("_", " "), *(number(f"{case}_{real}") for real in REALS)]
@@ -126,14 +126,13 @@ class Report:
         presets = "presets `benchmark` and `benchmark-clang`" if self.clang else "preset `benchmark`"
         self.lines += [
             "# Speed", "",
-            f"Written by `python3 tools/benchmark_report.py{options}`, with the programs of the {presets}; what it cannot "
-            "measure is not here.", "",
+            f"Written by `python3 tools/benchmark_report.py{options}`, with the programs of the {presets}.", "",
             f"- Processor: {results.machine()}",
             f"- Compiler: {results.compiler(self.build)}",
             f"- imbibe: {self.commit}",
             f"- Processors that other programs kept busy: {min(others):.2f} to {max(others):.2f} on average, by program"
             if others else "- Processors that other programs kept busy: unknown", "",
-            "Times are CPU times of one thread, those of two threads real times; the least of "
+            "Times of one thread are CPU times, those of two threads wall times: the least of "
             f"{'one repetition' if self.quick else 'five repetitions'}{self.rounds_in_words()}.",
             ""]
         if others and max(others) > 0.2:
@@ -144,12 +143,12 @@ class Report:
         return f" in each of {rounds} rounds" if rounds > 1 else ""
 
     def bars(self):
-        """What was asked of the core beforehand, beside what these results say of it."""
+        """The targets of the core beside these results."""
         rows = []
 
-        def bar(what, asked, value, digits=2, at_most=True):
+        def bar(what, target, value, digits=2, at_most=True):
             if value is not None:
-                rows.append(bar_row(what, asked, value, digits, at_most))
+                rows.append(bar_row(what, target, value, digits, at_most))
 
         def value(program, name, counter="particle", scale=1e9):
             row = self.get(program, name)
@@ -204,17 +203,18 @@ class Report:
                 ratio(value("bench_steps", f"cube/{real}/{most}000000/1"), value("bench_steps", f"cube/{real}/100000/1")))
         if rows:
             self.lines += [
-                "## What was asked for", "",
-                "Set before anything was measured, from prototypes on a processor with two 512-bit units (Sapphire "
-                "Rapids). Times in nanoseconds are the processor's as much as the library's; ratios are of one run. "
-                "About 100,000 particles and a support of 2.6 spacings where nothing else is said.", ""]
-            self.lines += table(["what", "asked", "measured", "met"], rows)
+                "## Targets", "",
+                "The targets come from prototypes on a processor with two 512-bit units (Sapphire Rapids), not "
+                "from these results. Times in nanoseconds depend on the processor too; ratios are of one run. "
+                "Scenes have about 100,000 particles and a support of 2.6 spacings unless the row says "
+                "otherwise.", ""]
+            self.lines += table(["what", "target", "measured", "met"], rows)
 
     def peaks(self):
         self.section("What the machine can do at most", "peaks",
                      "Multiply-adds in registers, each counted as two operations, and a = b + s c over arrays far "
-                     "larger than the caches. Fractions below are of these. Where two threads do not multiply twice as "
-                     "much as one, two of the machine's processors are not two cores, or others are at work on them.")
+                     "larger than the caches. Fractions below are of these. If two threads multiply less than twice "
+                     "as much as one, the machine's two processors are not two cores, or other programs use them.")
         rows = []
 
         def row(what, pattern, counter, unit, digits=0):
@@ -232,11 +232,11 @@ class Report:
         reads = [(int(size), one["read"]) for (size,), one in self.matches("peaks", r"read/(\d+)")]
         if reads:
             self.lines += [
-                "How long it waits for a number from anywhere in so much memory, where only the last read tells the place "
-                "of the next: " + ", ".join(f"{size} MiB {time * 1e9:.0f} ns" for size, time in reads) + ". Scenes larger "
-                "than the caches depend on it and, where a host lends its memory to several machines, on what memory a "
-                "program happens to get. `bench_steps --benchmark_filter=cube/float/10000000`, repeated, shows whether "
-                "it does here.", ""]
+                "Latency of a read at a random place in so much memory, each place known only from the read before: "
+                + ", ".join(f"{size} MiB {time * 1e9:.0f} ns" for size, time in reads) + ". It matters for scenes "
+                "larger than the caches. On a host shared by several machines it varies with the memory a program "
+                "happens to get; repeat `bench_steps --benchmark_filter=cube/float/10000000` to see whether it does "
+                "here.", ""]
 
     def steps(self):
         def rows_of(program, pattern, size_name):
@@ -257,13 +257,12 @@ class Report:
                 "two threads, ns", "speed-up", "steps with a search", "neighbours", "bytes per particle",
                 "bytes of its runs", "memory's share"]
         self.section("Whole steps", "bench_steps",
-                     "Water in free fall (continuity, pressure, artificial viscosity; Wendland C2, support of 2.6 "
-                     "spacings), the dam break of the README in other sizes, its front as fast as it may become, and a "
-                     "total-Lagrangian column: with hourglass "
-                     "control, viscosity and a support of 2 spacings, or its law alone and 2.3 spacings. A particle-step "
-                     "is a step of a particle that has work in it: all that move, and of the walls those that have water "
-                     "within reach. Memory's share is how much of the time it would take to bring all that is stored "
-                     "through memory once, at the measured bandwidth.")
+                     "A cube of water in free fall (continuity, pressure, artificial viscosity; Wendland C2, support "
+                     "of 2.6 spacings); the dam break of the README in other sizes, with its front at its greatest "
+                     "speed; and a total-Lagrangian column, with hourglass control, viscosity and a support of 2 "
+                     "spacings, or with its law alone and 2.3 spacings. A particle-step is a step of a particle that "
+                     "has work: one that moves, or a wall particle with water within reach. Memory's share is the "
+                     "part of the time that reading all stored data once would take at the measured bandwidth.")
         self.lines += table(head, rows_of("bench_steps", r"(\w+)/(\w+)/(\d+)", lambda size: ""))
         figure, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
         for k, scene in enumerate(("cube", "dam_break", "column")):
@@ -276,18 +275,18 @@ class Report:
         self.finish(axes, "particles", "time per particle-step (ns)", log=True)
         self.picture("steps.png", figure, "Time per particle-step against the number of particles")
 
-        self.section("The sponge", "bench_sponge", "Strip and full scene, water and sponge in contact from the start.")
+        self.section("The sponge", "bench_sponge", "Strip and full scene; water and sponge are in contact from the start.")
         self.lines += table(head, rows_of("bench_sponge", r"(\w+)/(\w+)/(\d+)",
                                           lambda size: ", strip" if size == "1" else ", full"))
 
     def sweeps(self):
         self.section("Pair loops", "bench_sweep",
-                     "The loops of a step without search and motion. *By hand* is the same work over the same runs, "
-                     "written out without terms, fields and schedule, measured in turns with the library's. Two sweeps "
-                     "is how the library runs this fluid (density rate, then forces from the new density); one sweep "
-                     "has the same pair parts together. Lanes used: neighbours, the particle itself included, among "
-                     "all lanes. Operations count all lanes and each addition, multiplication, maximum, quotient and "
-                     "root as one.")
+                     "The loops of a step without search and motion. *By hand* is the same work over the same runs "
+                     "without terms, fields and schedule, measured in turns with the library. The library runs this "
+                     "fluid in two sweeps (density rate, then forces from the new density); one sweep has the same "
+                     "pair parts together. Lanes used: the share of lanes with a neighbour or the particle itself. "
+                     "Operations count all lanes, and each addition, multiplication, maximum, quotient and root as "
+                     "one.")
         rows = []
         for (kind, real, tenths), row in self.matches("bench_sweep", r"fluid/(\w+)/(\w+)/(\d+)"):
             peak = self.flops.get(real)
@@ -319,10 +318,10 @@ class Report:
 
     def search(self):
         self.section("Neighbours", "bench_search",
-                     "On one thread. *Sort*: grid and counting sort; for sorted points that is what it costs to find "
-                     "out that nothing is to be done. *Reorder*: one stored number. *Moved* points were sorted one "
-                     "step ago. *Neighbours* is sort, three coordinates reordered, and runs. nanoflann lists every "
-                     "neighbour by itself, from the same points.")
+                     "One thread. *Sort*: grid and counting sort; for sorted points, the cost of finding that they "
+                     "are sorted. *Reorder*: one stored number. *Moved* points were sorted one step ago. "
+                     "*Neighbours*: sort, reordering of three coordinates, and runs. nanoflann lists each neighbour "
+                     "separately, from the same points.")
         rows = []
         for (what, order, size, tenths), single in self.matches(
                 "bench_search", r"(sort|reorder|find_runs|neighbours|nanoflann)/float/(\w+)/(\d+)/(\d+)"):
@@ -345,16 +344,16 @@ class Report:
 
     def terms(self):
         self.section("Terms one by one", "bench_terms",
-                     "Pair terms alone in a sweep (all of them, as parts of a step: [docs/effects.md](effects.md)), float, "
-                     "support of 2.6 spacings. The part that every sweep has (positions, distance, runs) is in each number, "
-                     "so the numbers do not add up.")
+                     "Single pair terms in a sweep, float, support of 2.6 spacings; [docs/effects.md](effects.md) has "
+                     "all terms as parts of a step. Each number includes what every sweep has (positions, distance, "
+                     "runs), so the numbers do not add up.")
         self.lines += table(["term", "ns per particle", "ns per neighbour"],
                             [[name, ns(row), ns(row, "neighbour", 2)]
                              for name, row in self.rows.get("bench_terms", {}).items()])
 
     def kernels(self):
         self.section("Kernels one by one", "bench_kernels",
-                     "ns for one value or one gradient: one number at a time, and in packs of the machine's width.")
+                     "ns for a value or a gradient, one number at a time or in packs of the machine's width.")
         rows = {}
         for (kernel, what, real, width), row in self.matches("bench_kernels", r"(.+)/(\w+)/(\w+)/(\d+)"):
             rows.setdefault((kernel, what), {})[real, width == "1"] = ns(row, "evaluation", 2)
@@ -369,8 +368,8 @@ class Report:
         if not programs:
             return
         self.section("Pack widths", programs,
-                     "The fluid in two sweeps, 100,000 particles, compiled for different instruction sets, which "
-                     "decide how many numbers are computed at once.")
+                     "The fluid in two sweeps, 100,000 particles, compiled for instruction sets with different pack "
+                     "widths.")
         found = {(what, real, int(width)): row for name in programs
                  for (what, real, width), row in self.matches(name, r"(\w+)/(\w+)/(\d+)")}
         parts = ("search", "loops", "step")

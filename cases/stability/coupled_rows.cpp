@@ -50,7 +50,7 @@ void add_frames(std::ostream& out) {
 } // namespace
 
 void write_frames(std::ostream& out) {
-    out << "\n### An impact seen from other frames\n\n"
+    out << "\n## An impact seen from other frames\n\n"
            "The greatest difference of any particle from the same impact at home: of places in spacings, of "
            "velocities\n"
            "in m/s (the impact has 1 m/s); in double, but for the last two columns, in float and ten thousand heights\n"

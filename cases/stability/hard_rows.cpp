@@ -66,7 +66,7 @@ void add_hard(Table& table) {
 }
 
 void write_gradients(std::ostream& out) {
-    out << "\n### Gradient of x inside a lattice\n\n| support, spacings | WendlandC2, 2D | 3D | CubicSpline, 2D | 3D | "
+    out << "\n## Gradient of x inside a lattice\n\n| support, spacings | WendlandC2, 2D | 3D | CubicSpline, 2D | 3D | "
            "Spiky, 2D | 3D |\n|---|---|---|---|---|---|---|\n";
     for (const double support : {1.1, 1.25, 1.3, 1.5, 1.75, 2.0, 2.6, 3.0}) {
         out << "| " << support;

@@ -75,6 +75,9 @@ void add_limits(Table& table) {
         [](const Plan& p) { return shaken_foam(p, 0.3, 300); });
     row("PorePressure, porosity 0.8", "shaken light skeleton, full of water",
         [](const Plan& p) { return shaken_foam(p, 0.8, 300); });
+    for (const double porosity : {0.3, 0.8})
+        row(sph::text("PoreHeatExchange, porosity ", porosity), "heat of a fluid in pores",
+            [=](const Plan& p) { return warm_pores(p, porosity); });
     row("FrozenStress, G = 3 rho c^2", "shaken box of ice", [](const Plan& p) { return shaken_box(p, frozen(), 2.6); });
     row("FrozenStress, G = 3 rho c^2", "disordered shaken box of ice",
         [=](const Plan& p) { return shaken_box(p, frozen(), 2.6, disorder); });
@@ -187,14 +190,18 @@ void add_limits(Table& table) {
             [=](const Plan& p) { return shaken_sheet<3>(p, rough); });
     for (const double poisson : {0.3, 0.499}) {
         const char* law = poisson == 0.3 ? "StVenantKirchhoff, nu 0.3, thin" : "StVenantKirchhoff, nu 0.499, thin";
-        row(law, "shaken block of two by two",
-            [=](const Plan& p) { return shaken_body<2, Kirchhoff2>(p, {2, 2}, poisson, 2.01); });
-        row(law, "shaken block of two by two by two",
-            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {2, 2, 2}, poisson, 2.6); });
-        row(law, "shaken plate of two layers",
-            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {8, 8, 2}, poisson, 2.6); });
-        row(law, "shaken bar of three by three",
-            [=](const Plan& p) { return shaken_body<3, Kirchhoff2>(p, {8, 3, 3}, poisson, 2.6); });
+        row(law, "shaken block of two by two", [=](const Plan& p) {
+            return shaken_body<2, Kirchhoff2>(p, {2, 2}, poisson, 2.01);
+        });
+        row(law, "shaken block of two by two by two", [=](const Plan& p) {
+            return shaken_body<3, Kirchhoff2>(p, {2, 2, 2}, poisson, 2.6);
+        });
+        row(law, "shaken plate of two layers", [=](const Plan& p) {
+            return shaken_body<3, Kirchhoff2>(p, {8, 8, 2}, poisson, 2.6);
+        });
+        row(law, "shaken bar of three by three", [=](const Plan& p) {
+            return shaken_body<3, Kirchhoff2>(p, {8, 3, 3}, poisson, 2.6);
+        });
     }
     row("paper's hypoelastic, nu 0.3", "shaken block",
         [](const Plan& p) { return shaken_block<2, Hypoelastic::Body>(p, 0.3, 2); });

@@ -20,6 +20,7 @@
 #include <imbibe/methods/seeping_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/mixture/fill_pores.hpp>
+#include <imbibe/mixture/pore_heat.hpp>
 #include <imbibe/monitor/longest_stable_step.hpp>
 #include <imbibe/solid/pairwise_shear.hpp>
 #include <imbibe/time/dual_stepping.hpp>
@@ -133,8 +134,8 @@ struct Warm : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
 struct Warmer : sph::Fluid<sph::HeatCapacity, sph::HeatConduction<C2>> {};
 struct Touching : sph::Coupling<Warm, Warmer, sph::HeatTransfer<C2>> {};
 struct Heated : sph::Wall<sph::SurfaceTemperature> {};
-struct Heating : sph::Coupling<Warm, Heated, sph::Into<Heated, sph::TemperatureExtrapolation<C2>>,
-                               sph::HeatTransfer<C2>> {};
+struct Heating
+    : sph::Coupling<Warm, Heated, sph::Into<Heated, sph::TemperatureExtrapolation<C2>>, sph::HeatTransfer<C2>> {};
 template <class Phase>
 Phase warm(double conductivity) {
     Phase phase{{.density = 1000, .sound_speed = 1e-6}};
@@ -190,6 +191,30 @@ inline Outcome shaken_foam(const Plan& plan, double porosity, double density) {
     scene.template coupling<InFoam>().set(sph::DarcyDragParameters{.permeability = 1e-9});
     sph::fill_pores(scene, water, body);
     return march_shaken<2>(scene, body, 1e-3, plan);
+}
+
+struct WarmSeeping : sph::Fluid<sph::InPores<>, sph::SeepingFluid<C2>, sph::Instead<sph::PoreDensityFloor>,
+                                sph::HeatCapacity, sph::PoreHeatConduction<C2>> {};
+struct WarmFoam : sph::Solid<sph::TotalLagrangianSolid<sph::PorousSkeleton<>, C2>, sph::HeatCapacity,
+                             sph::HeatConduction<C2, sph::Reference>> {};
+struct InWarmFoam : sph::CouplingOf<WarmSeeping, WarmFoam, sph::PoreHeatExchange<C2>> {};
+/// A periodic square of a fluid at rest in a skeleton, whose heat is shaken; the skeleton holds less heat.
+inline Outcome warm_pores(const Plan& plan, double porosity) {
+    constexpr double across = 16 * dx;
+    sph::Solver<2, double, sph::SymplecticEuler, WarmSeeping, WarmFoam, InWarmFoam> scene(
+        {.support_radius = 3 * dx, .max_time_step = 1e3, .periodic_length = {across, across}, .threads = 1});
+    const auto places = sph::fill(sph::Box<2>{{0, 0}, {across, across}}, dx);
+    auto fluid = warm<WarmSeeping>(1);
+    fluid.viscosity = 1e-3;
+    const auto water = scene.add(fluid, places, dx);
+    WarmFoam foam{{.density = 300, .sound_speed = 1e-6, .shear_modulus = 1e-10}};
+    foam.set(sph::PorousSkeletonParameters{.porosity = porosity});
+    foam.set(sph::HeatParameters{.heat_capacity = 1, .heat_conductivity = 0.1, .reference_temperature = 0});
+    const auto body = scene.add(foam, places, dx);
+    scene.template coupling<InWarmFoam>().set(sph::DarcyDragParameters{.permeability = 1e-9});
+    scene.template coupling<InWarmFoam>().set(sph::PoreHeatExchangeParameters{.exchange = 10 / sph::sq(dx)});
+    sph::fill_pores(scene, water, body);
+    return march_warm<2>(scene, water, plan);
 }
 
 struct Ice : Liquid<sph::Melting, sph::HeatConduction<C2>, sph::VelocityGradient<C2>, sph::FrozenStress<C2>> {};
@@ -432,7 +457,7 @@ inline Outcome swing(const Plan& plan) {
     sph::Solver<2, double, sph::SymplecticEuler, Swinging> scene({.support_radius = dx, .threads = 1});
     const auto one = scene.add(Swinging{{.density = 1000, .sound_speed = 1}}, {{start, 0}}, dx);
     const double most = std::sqrt(Spring::k) * start; // its greatest speed, were the steps short
-    scene.step(1e-9); // from here on there is an acceleration to limit the steps
+    scene.step(1e-9);                                 // from here on there is an acceleration to limit the steps
     const Watch<2> watch{.end = 100 / std::sqrt(Spring::k),
                          .guard = {.speed = 1e6, .energy = std::numeric_limits<double>::infinity()},
                          .signs = {{"speed over that of the exact swing", 4}},

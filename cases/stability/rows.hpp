@@ -1,4 +1,4 @@
-// What the table of docs/stability.md is made of: cases, each of one composition and one scene.
+// What the table of docs/stability_tables.md is made of: cases, each of one composition and one scene.
 #pragma once
 
 #include "march.hpp"

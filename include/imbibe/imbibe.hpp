@@ -59,6 +59,7 @@
 #include <imbibe/mixture/darcy_drag.hpp>
 #include <imbibe/mixture/fill_pores.hpp>
 #include <imbibe/mixture/in_pores.hpp>
+#include <imbibe/mixture/pore_heat.hpp>
 #include <imbibe/mixture/pore_pressure.hpp>
 #include <imbibe/mixture/pore_space.hpp>
 #include <imbibe/mixture/porous_skeleton.hpp>

@@ -159,6 +159,16 @@ TEST_CASE("The report says what the first step will be", "[reports]") {
     says(report, sph::text("first step ", scene.next_step().seconds, " s, from ", limits.front().reason));
 }
 
+TEST_CASE("A solid alone, whose density is not stored, has a report too", "[reports]") {
+    struct Rubber : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>> {};
+    sph::Solver<2, double, sph::SymplecticEuler, Rubber> scene({.support_radius = 0.02, .threads = 1});
+    scene.add(Rubber{{.density = 1000, .sound_speed = 30, .shear_modulus = 1e5}},
+              sph::fill(sph::Box<2>({0, 0}, {0.1, 0.1}), 0.01), 0.01);
+    const std::string report = sph::describe(scene);
+    says(report, "Rubber: 100 particles");
+    CHECK(report.find("density,") == std::string::npos);
+}
+
 TEST_CASE("The report says what would make the scene faster", "[reports]") {
     constexpr double dx = 0.02;
     sph::Settings<2> settings{.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .threads = 1};

@@ -3,9 +3,11 @@
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/jitter.hpp>
+#include <imbibe/heat/heat_capacity.hpp>
 #include <imbibe/methods/seeping_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/mixture/fill_pores.hpp>
+#include <imbibe/mixture/pore_heat.hpp>
 #include <imbibe/monitor/energy.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/neo_hookean.hpp>
@@ -15,6 +17,7 @@
 #include <catch_shim.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace mixture_test {
 
@@ -176,6 +179,48 @@ TEST_CASE("A full skeleton swells and softens: its law sees the strain by which 
     const double law = mu * (f - 1 / f) + 0.5 * lambda * (sq(J) - 1) / f; // of F = f 1
     CHECK(q[first_piola_stress].col(0).mean() == Approx((1 - softening) * (1 + swelling) * law).epsilon(1e-6));
     CHECK(q[first_piola_stress].col(1).cwiseAbs().maxCoeff() < 1e-6 * mu);
+}
+
+struct WarmWater : Fluid<InPores<>, SeepingFluid<K>, HeatCapacity, PoreHeatConduction<K>> {};
+struct WarmSponge : Solid<TotalLagrangianSolid<PorousSkeleton<CompressibleNeoHookean>, K>, HeatCapacity,
+                          HeatConduction<K, Reference>> {};
+struct WarmSoaked : CouplingOf<WarmWater, WarmSponge, PoreHeatExchange<K>> {};
+
+TEST_CASE("Water and skeleton share their heat exactly, and conduct it side by side") {
+    // Heat that varies like a cosine decays with (n k_f + k_s)/(n rho c_f + rho_s c_s), as warm as the other
+    // everywhere.
+    Solver<2, double, SymplecticEuler, WarmWater, WarmSponge, WarmSoaked> scene(
+        {.support_radius = 3 * dx, .max_time_step = 1e3, .periodic_length = {1, 1}, .threads = 1});
+    const auto places = fill(Box<2>{{0, 0}, {1, 1}}, dx);
+    WarmWater liquid{{.density = rho, .sound_speed = 1e-3, .viscosity = eta}};
+    liquid.set(HeatParameters{.heat_capacity = 4, .heat_conductivity = 600, .reference_temperature = 0});
+    const auto fluid = scene.add(liquid, places, dx);
+    WarmSponge dry{{.density = 800, .sound_speed = 1e-3, .shear_modulus = 1e-4}};
+    dry.set(PorousSkeletonParameters{.porosity = n_0});
+    dry.set(HeatParameters{.heat_capacity = 2, .heat_conductivity = 100, .reference_temperature = 0});
+    const auto body = scene.add(dry, places, dx);
+    scene.coupling<WarmSoaked>().set(DarcyDragParameters{.permeability = 1e-9});
+    fill_pores(scene, fluid, body);
+    const double wave = 2 * std::numbers::pi;
+    auto water = scene[fluid];
+    const auto sponge = scene[body];
+    for (int i = 0; i < water.size(); ++i)
+        water[enthalpy](i) = 1 + std::cos(wave * water[position](i, 0)); // the skeleton is cold
+    const double all = thermal_energy(water), held = n_0 * rho * 4 + 800 * 2, diffusivity = (n_0 * 600 + 100) / held,
+                 end = 1 / (wave * wave * diffusivity);
+    scene.run_until(0.2 * end); // until both are as warm
+    const auto amplitude = [&](const auto& phase) {
+        double sum = 0;
+        for (int i = 0; i < phase.size(); ++i)
+            sum += 2 * phase[temperature](i) * std::cos(wave * phase[position](i, 0)) / phase.size();
+        return sum;
+    };
+    const double before = amplitude(water);
+    CHECK(amplitude(sponge) == Approx(before).epsilon(0.05));
+    scene.run_until(end);
+    CHECK(thermal_energy(water) + thermal_energy(sponge) == Approx(all).epsilon(1e-12));
+    CHECK(water[temperature].mean() == Approx(n_0 * rho / held).epsilon(1e-6)); // 1 J/kg in the water
+    CHECK(amplitude(water) / before == Approx(std::exp(-0.8)).epsilon(0.02));
 }
 
 TEST_CASE("Numbers of pores that cannot be are named") {

@@ -30,7 +30,7 @@ void check_shear() {
         shifted<dim>(shift, [&](const ColumnVector<dim>& x) { return ColumnVector<dim>(stream + slope * x); });
     const auto& centre = sheared[sheared.size() / 2];
     const ColumnVector<dim> expected = slope * shift;
-    // a lattice of three spacings of support has 1.00 of a gradient (docs/stability.md, the last table)
+    // a lattice of three spacings of support has 1.00 of a gradient (docs/stability_tables.md, "Gradient of x")
     CHECK((plain(sum(Term{}, centre, sheared)) - expected).norm() < 0.005 * expected.norm());
 
     const auto uniform = shifted<dim>(shift, [&](const ColumnVector<dim>&) { return stream; });

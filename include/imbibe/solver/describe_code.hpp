@@ -42,12 +42,14 @@ IMBIBE_CODE std::string limits_in_words(const std::vector<TimeStepLimit>& limits
 /// A line that says how the lattice of a fluid under pressure resists slow shear, or none.
 template <int dim, class Real>
 std::string stiffness_in_words(const PhaseStore<dim, Real>& s, const TypesInWords::PhaseInWords& words) {
+    if (words.shear_stiffness == 0 || words.viscosity == 0) // no fluid
+        return {};
     const PhaseNumbers numbers = s.numbers();
     double pressure = 0; // from the density, as it is before the first step too
     for (int i = 0; i < s.size(); ++i)
         pressure = std::max(pressure, sq(numbers.sound_speed) * std::abs(s.own_density(i) - numbers.density));
     const double modulus = std::abs(words.shear_stiffness) * pressure; // Pa
-    if (modulus == 0 || words.viscosity == 0)
+    if (modulus == 0)
         return {};
     return text("    lattice: under its greatest pressure, some ", pressure, " Pa, it ",
                 words.shear_stiffness > 0 ? "resists" : "gives way to", " slow shear with up to ", modulus,
@@ -72,8 +74,10 @@ std::string advice_in_words(const Neighbourhood<dim, Real>& scene, const Setting
                             const TypesInWords& types, const LimitsInWords& limits) {
     std::string words;
     const double step = limits.first.seconds;
-    if (settings.search_interval == 1 && limits.substep.empty()) { // DualStepping searches in long steps
-        double served = 1e6;                                       // steps in which nothing moves 5 % of its support
+    const bool searches =
+        std::any_of(scene.links.begin(), scene.links.end(), [](const Link& link) { return !link.row.reference; });
+    if (searches && settings.search_interval == 1 && limits.substep.empty()) { // DualStepping searches in long steps
+        double served = 1e6; // steps in which nothing moves 5 % of its support
         for (std::size_t k = 0; k < scene.phases.size(); ++k) {
             const Motion motion = scene.motion_now(static_cast<int>(k));
             const double way = 0.05 * scene.phases[k].numbers().support_radius, v = motion.speed,

@@ -7,7 +7,7 @@ namespace imbibe::detail {
 
 template <int dim, class Real>
 void PhaseStore<dim, Real>::resize(int count) {
-    ids.reserve(static_cast<std::size_t>(count)); // nothing has changed where there is no memory
+    ids.reserve(static_cast<std::size_t>(count)); // first: without memory, nothing has changed
     disturbed = true;
     note_all_written();
     const std::size_t wanted = stride_for(count);
@@ -40,6 +40,8 @@ void PhaseStore<dim, Real>::reorder(const std::vector<std::uint32_t>& order, int
         std::memcpy(&ids[i], before + order[i] * sizeof(ids[0]), sizeof(ids[0]));
     n = static_cast<int>(order.size());
     pad();
+    if (row->keeps_reference()) // it stays in this order: no other one is made
+        AlignedVector<Real>().swap(spare);
 }
 
 template <int dim, class Real>

@@ -26,7 +26,8 @@ public:
 
     /// Column k of the copy; null before the first search that finds others within reach.
     const Real* column(int k) const {
-        return values_.empty() ? nullptr : values_.data() + static_cast<std::size_t>(k) * stride_;
+        const int place = values_.empty() ? -1 : places_[static_cast<std::size_t>(k)];
+        return place < 0 ? nullptr : values_.data() + static_cast<std::size_t>(place) * stride_;
     }
     /// Where coordinate d of particle i of the phase is seen, x being where it is, m: in the periodic box.
     IMBIBE_INLINE Real place(int d, int i, Real x) const {
@@ -47,12 +48,16 @@ public:
     }
 
 private:
-    AlignedVector<Real> values_;
+    AlignedVector<Real> values_; // only of the columns that others read
     std::size_t stride_ = 0;
+    std::vector<int> places_; // of each of the phase's columns among the copied ones, or -1
+    int copied_ = 0;          // how many those are
     std::vector<std::uint32_t> order_;   // place k of the copy has particle order_[k]
     std::vector<std::uint64_t> version_; // of each field, when it was copied
     std::array<std::vector<Real>, static_cast<std::size_t>(dim)> periods_outside_;
 
+    // Where columns [first, first + count) are copied to, which belong to one field; makes room for them.
+    int place_of(const Phase& phase, int first, int count);
     void note_periods(const Phase& phase, const search::Periodic<dim>& periodic);
     // Copies columns [first, first + count), in the order of the copy.
     void copy(const Phase& phase, int first, int count, int threads);

@@ -16,7 +16,7 @@ void Seen<dim, Real>::sort(Phase& phase, const search::Grid<dim>& grid, const se
         order_[i] = static_cast<std::uint32_t>(i);
     note_periods(phase, periodic);
     refresh_places(phase, threads);
-    if (!phase.table.sort(grid, phase.points_in(values_, phase.row->position), threads)) {
+    if (!phase.table.sort(grid, phase.points_in(values_, place_of(phase, phase.row->position, dim)), threads)) {
         order_ = phase.table.order();
         refresh_places(phase, threads);
     }
@@ -28,11 +28,12 @@ template <int dim, class Real>
 void Seen<dim, Real>::refresh_places(const Phase& phase, int threads) {
     copy(phase, phase.row->position, dim, threads);
     for (std::size_t d = 0; d < dim; ++d) {
-        Real* x = values_.data() + (static_cast<std::size_t>(phase.row->position) + d) * stride_;
+        Real* x = values_.data() +
+                  static_cast<std::size_t>(place_of(phase, phase.row->position, dim) + static_cast<int>(d)) * stride_;
         for (std::size_t k = 0; k < periods_outside_[d].size(); ++k)
             x[k] -= periods_outside_[d][order_[k]];
     }
-    phase.pad(values_, phase.row->position, dim);
+    phase.pad(values_, place_of(phase, phase.row->position, dim), dim);
 }
 
 template <int dim, class Real>
@@ -62,14 +63,27 @@ void Seen<dim, Real>::note_periods(const Phase& phase, const search::Periodic<di
 }
 
 template <int dim, class Real>
-void Seen<dim, Real>::copy(const Phase& phase, int first, int count, int threads) {
-    if (stride_ != phase.stride())
+int Seen<dim, Real>::place_of(const Phase& phase, int first, int count) {
+    if (stride_ != phase.stride()) { // particles have come or gone: nothing is copied yet
         version_.clear();
-    stride_ = phase.stride();
-    values_.resize(stride_ * static_cast<std::size_t>(phase.row->components));
-    phase.gather(phase.column(first), values_.data() + static_cast<std::size_t>(first) * stride_, count, order_,
+        places_.assign(static_cast<std::size_t>(phase.row->components), -1);
+        copied_ = 0;
+        stride_ = phase.stride();
+    }
+    if (places_[static_cast<std::size_t>(first)] < 0) {
+        for (int k = 0; k < count; ++k)
+            places_[static_cast<std::size_t>(first + k)] = copied_++;
+        values_.resize(stride_ * static_cast<std::size_t>(copied_));
+    }
+    return places_[static_cast<std::size_t>(first)];
+}
+
+template <int dim, class Real>
+void Seen<dim, Real>::copy(const Phase& phase, int first, int count, int threads) {
+    const int place = place_of(phase, first, count);
+    phase.gather(phase.column(first), values_.data() + static_cast<std::size_t>(place) * stride_, count, order_,
                  threads);
-    phase.pad(values_, first, count);
+    phase.pad(values_, place, count);
 }
 
 } // namespace imbibe::detail

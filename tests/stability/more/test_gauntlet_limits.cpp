@@ -1,4 +1,4 @@
-// Every limit of the time step against the longest step that holds, in the scenes of docs/stability.md, "Limits".
+// Every limit of the time step against the longest step that holds, in the scenes of docs/stability_tables.md, "Limits".
 #include <catch_shim.hpp>
 
 #include <cases/stability/rows.hpp>
@@ -14,7 +14,7 @@ namespace {
 using stability::Row;
 
 // What shares of a predicted limit hold and do not hold: it is within a factor of 1.5 on the safe side, both to the 4 %
-// to which docs/stability.md bisects, but where that page says why it is not.
+// to which docs/stability_tables.md bisects, but where that page says why it is not.
 struct Shares {
     std::string_view composition;
     double hold = 1 / 1.04, fail = 1.5 * 1.04; // 0: nothing up to 4 was found to fail

@@ -1,6 +1,7 @@
 // Pores too small to resolve: a wet layer is pressed and drains, a dry column draws water in, one sponge both resolved
 // and mixed; docs/validation.md has them finer.
 #include <cases/validation/biot.hpp>
+#include <cases/validation/frozen_pores.hpp>
 #include <cases/validation/imbibition.hpp>
 #include <cases/validation/slotted_sponge.hpp>
 
@@ -19,6 +20,15 @@ TEST_CASE("Suction draws a front into a dry column as Green and Ampt say", "[val
     for (const auto& found : validation::imbibition::measure(40)) {
         CAPTURE(found.what, found.computed, found.reference);
         CHECK(std::abs(found.error()) < 0.02);
+    }
+}
+
+TEST_CASE("Water freezes in pores as Stefan says with n L and the mean conductivity, in motion too",
+          "[validation][mixture]") {
+    for (const auto& found : validation::frozen_pores::measure(20)) {
+        CAPTURE(found.what, found.computed, found.reference);
+        const bool exact = found.good == "1e-12", in_place = found.what.starts_with("ice");
+        CHECK(std::abs(found.error()) < (exact ? 1e-12 : in_place ? 0.02 : 1e-3)); // the ice is 1 % too thick with 40
     }
 }
 
