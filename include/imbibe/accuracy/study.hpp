@@ -1,4 +1,4 @@
-// What accuracy costs: runs a case with a reference over chosen axes and says which choices are worth their time.
+// The cost of accuracy: runs a case with a reference over chosen axes and says which choices are worth their time.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -19,7 +19,7 @@
 
 namespace imbibe::accuracy {
 
-/// One choice on every axis of a study: what a case is given.
+/// One choice on every axis of a study: the input of a case.
 class Choices {
 public:
     /// The choice on an axis, as it was written. Throws Error for an axis the study does not have.
@@ -29,7 +29,7 @@ public:
                 return value;
         throw Error(text("accuracy: the case asks for the axis '", axis, "', which the study does not have"));
     }
-    /// The same as a number. Throws Error if it is none.
+    /// The same as a number. Throws Error if it is not one.
     double number(const std::string& axis) const {
         const std::string& word = (*this)[axis];
         const auto value = number_in(word);
@@ -44,7 +44,7 @@ public:
     /// Which repetition this is, from 0 on: the seed of a jittered start.
     int repetition = 0;
 
-    /// Takes a choice on an axis, new or in place of the old one.
+    /// Sets the choice on an axis.
     void set(const std::string& axis, const std::string& value) {
         for (auto& [name, old] : values_)
             if (name == axis) {
@@ -53,22 +53,22 @@ public:
             }
         values_.emplace_back(axis, value);
     }
-    /// All of them, in the order of the axes: the name of an axis and the choice on it.
+    /// All choices, in the order of the axes: the name of an axis and the choice on it.
     const std::vector<std::pair<std::string, std::string>>& all() const { return values_; }
 
 private:
     std::vector<std::pair<std::string, std::string>> values_;
 };
 
-/// What a case gives back.
+/// The result of a case.
 struct Outcome {
-    double error;                ///< against the reference, in the case's own measure (a share, say); not negative
-    double pair_evaluations = 0; ///< the work in a unit that no machine changes; see `pair_evaluations(scene)`
+    double error;                ///< against the reference, in the case's own measure (such as a share); not negative
+    double pair_evaluations = 0; ///< the work in a machine-independent unit; see `pair_evaluations(scene)`
 };
 
 /// One line of a study's result: a set of choices, over all repetitions.
 struct Row {
-    Choices choices;                           ///< what the case was given
+    Choices choices;                           ///< the input of the case
     double error, least_error, greatest_error; ///< mean and range over the repetitions
     double seconds;                            ///< processor time of one repetition, the least of all
     double pair_evaluations;                   ///< of one repetition, see Outcome
@@ -76,8 +76,8 @@ struct Row {
     std::string failure;   ///< why the run broke off, if it did; error is infinite then
 };
 
-/// How many pairs of particles a scene has looked at so far, all sweeps of all its steps and substeps together, if
-/// neighbours were as many all the time as they are now. What was done before a restart is not counted.
+/// An estimate of the pair evaluations of a scene so far, over all sweeps of all its steps and substeps, with the
+/// present number of neighbours. Work before a restart is not counted.
 template <class Scene>
 double pair_evaluations(const Scene& scene) {
     double pairs = 0;
@@ -111,12 +111,12 @@ inline void mark_front(std::vector<Row>& rows) {
 /// });
 /// accuracy::write(rows, "shear_wave.csv"); // python3 tools/plot_accuracy.py shear_wave.csv -o shear_wave.png
 /// ```
-/// `shear_wave` makes a scene of what it is given to choose from, runs it, and returns an Outcome.
+/// `shear_wave` makes a scene from the choices, runs it, and returns an Outcome.
 class Study {
 public:
-    /// Adds an axis with its choices; the first is the one from which `one_at_a_time` departs.
-    /// @throws Error for an axis without choices, one that is there already, or, where `instead` was called for it, a
-    /// choice of that which is not one of words, or no number among numbers
+    /// Adds an axis with its choices; `one_at_a_time` departs from the first.
+    /// @throws Error for an axis without choices, for an existing one, or, after `instead` for it, for a choice of
+    /// `instead` that is not among the words, or not a number among numbers
     Study& axis(const std::string& name, const std::vector<std::string>& choices) {
         require(!choices.empty(), "accuracy: the axis '", name, "' has no choices");
         for (const auto& [known, values] : axes_)
@@ -127,9 +127,9 @@ public:
         axes_.emplace_back(name, choices);
         return *this;
     }
-    /// On this axis take these choices in place of those it was or is going to be added with, and of those of an
-    /// earlier `instead`: for a program whose user chooses. A run throws Error if the axis never came.
-    /// @throws Error for no choices, and for an axis that is there already as `axis` does
+    /// Replaces the choices of this axis, whether it was added already or will be, and those of an earlier `instead`:
+    /// for a program whose user chooses. A run throws Error if the axis was never added.
+    /// @throws Error for no choices, and for an existing axis as `axis` does
     Study& instead(const std::string& name, const std::vector<std::string>& choices) {
         require(!choices.empty(), "accuracy: no choices are given for the axis '", name, "'");
         for (const auto& [known, values] : axes_)
@@ -138,10 +138,9 @@ public:
         instead_.emplace_back(name, choices);
         return *this;
     }
-    /// Beside what departs on one axis `one_at_a_time` runs this too, which departs on several: an axis and the choice
-    /// on it, for each of them. Left out where `instead` takes one of these choices away, where it is there already,
-    /// and with `combine`, which has it anyway. A run throws Error if one of the axes, or a choice of words on it,
-    /// never came.
+    /// `one_at_a_time` also runs this combination, which departs on several axes: an axis and the choice on it, for
+    /// each. Left out if `instead` removes one of these choices, if it is there already, and with `combine`, which
+    /// includes it. A run throws Error if one of the axes, or a choice of words on it, was never added.
     Study& also(const std::vector<std::pair<std::string, std::string>>& departures) {
         also_.push_back(departures);
         return *this;
@@ -151,25 +150,25 @@ public:
         combined_ = true;
         return *this;
     }
-    /// Runs every choice so often, with another `Choices::repetition` each time, by which a case jitters its start: the
-    /// error bars. A run throws Error where the first choices give the same error each time, to the last digit: the
-    /// case then does not look at the repetition, and the bars would have no length.
+    /// Runs every choice this many times, each with another `Choices::repetition`, from which a case jitters its start:
+    /// the error bars. A run throws Error if the first choices give exactly the same error each time: the case then
+    /// ignores the repetition, and the bars would have no length.
     Study& repeat(int times) {
         repetitions_ = repetitions(times);
         return *this;
     }
-    /// So often in place of what `repeat` asks for, before or after: for a program whose user chooses.
+    /// The number of repetitions in place of that of `repeat`, before or after: for a program whose user chooses.
     Study& repeat_instead(int times) {
         repetitions_instead_ = repetitions(times);
         return *this;
     }
-    /// Runs nothing but the row of this number, counted from 0, and that once: for what measures single runs from outside
+    /// Runs only the row of this number, counted from 0, once: for measuring single runs from outside
     /// (tools/accuracy_instructions.py). A run throws Error if the study has no such row.
     Study& only(std::size_t row) {
         only_ = row;
         return *this;
     }
-    /// Called before every set of choices is run, with how many have been and how many there are.
+    /// Called before every set of choices is run, with the number done and the total.
     Study& progress(std::function<void(const Choices&, std::size_t, std::size_t)> tell) {
         tell_ = std::move(tell);
         return *this;
@@ -182,9 +181,9 @@ public:
             all = with_each(all, name, values);
         return run_all(all, what);
     }
-    /// The first choice of every axis, all that differ from it on one axis, and what `also` asks for. `along`: on these
-    /// axes all choices are combined with each of them (the spacing, usually). Throws Error if one of these is no axis
-    /// of the study.
+    /// The first choice of every axis, all that differ from it on one axis, and the combinations of `also`. `along`:
+    /// all choices on these axes are combined with each of them (the spacing, usually). Throws Error if one of these is
+    /// no axis of the study.
     template <class Case>
     std::vector<Row> one_at_a_time(const Case& what, const std::vector<std::string>& along = {}) const {
         for (const std::string& name : along)
@@ -213,7 +212,7 @@ public:
 
 private:
     using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
-    Axes axes_, instead_; // as they were added, and what is to be taken in their place
+    Axes axes_, instead_; // as added, and their replacements
     std::vector<std::vector<std::pair<std::string, std::string>>> also_;
     bool combined_ = false;
     int repetitions_ = 1;
@@ -325,7 +324,7 @@ private:
         for (int k = 0; k < times(); ++k) {
             Choices mine = choices;
             mine.repetition = k;
-            const std::clock_t begin = std::clock(); // of the processor: other programs on the machine do not count
+            const std::clock_t begin = std::clock(); // of the processor: other programs do not count
             const Outcome outcome = outcome_of(what, mine, row.failure);
             row.seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
             row.error += outcome.error / times();
@@ -338,7 +337,7 @@ private:
 };
 
 /// Writes rows as CSV: a column for each axis, then error, least and greatest error, seconds, pair evaluations, front
-/// (1 or 0), failure. Words stand in quotation marks, and theirs are doubled.
+/// (1 or 0), failure. Words are in quotation marks, with their own doubled.
 inline void write(const std::vector<Row>& rows, const std::filesystem::path& path) {
     const auto quoted = [](const std::string& words) {
         std::string all = "\"";

@@ -1,6 +1,6 @@
-// What the options a file is compiled with decide in the library: the width of packs, how they are computed, and
-// threads. Names whose meaning or code depends on them are marked, so that files compiled with different options fit
-// into one program.
+// What the compile options of a file decide in the library: the width of packs, how they are computed, and threads.
+// Names whose meaning or code depends on the options are marked, so that files compiled with different options can be
+// linked into one program.
 #pragma once
 
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__)
@@ -9,7 +9,7 @@
 #define IMBIBE_VECTOR_EXTENSION 0
 #endif
 
-/// The bytes of the instruction set's longest register of numbers; 1: packs hold one number.
+/// The size of the instruction set's widest vector register, bytes; 1: packs hold one number.
 #if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__)
 #define IMBIBE_PACK_BYTES 64
 #elif IMBIBE_VECTOR_EXTENSION && defined(__AVX__)
@@ -20,9 +20,9 @@
 #define IMBIBE_PACK_BYTES 1
 #endif
 
-// Should quotients and roots of whole AVX-512 registers begin with the processor's estimate? On most processors the
-// instructions hold up all else. On Zen they work beside the multiply-adds, and the estimate and its Newton's steps
-// cost a tenth of a pair loop (docs/speed.md). Compilers that do not know Zen 4 take it for a Zen 3 that has AVX-512.
+// Should quotients and roots of whole AVX-512 registers start from the processor's estimate? On most processors the
+// exact instructions stall the pipeline. On Zen they run beside the multiply-adds, and estimate plus Newton steps cost
+// a tenth of a pair loop (docs/speed.md). Compilers that do not know Zen 4 take it for a Zen 3 with AVX-512.
 #if IMBIBE_VECTOR_EXTENSION && defined(__AVX512F__) && !defined(__znver3__) && !defined(__znver4__) &&                 \
     !defined(__znver5__)
 #define IMBIBE_ESTIMATES 1
@@ -30,7 +30,7 @@
 #define IMBIBE_ESTIMATES 0
 #endif
 
-// What else changes the bits of a result, or the processors that can run it, and shows in a macro: a word of each.
+// Other macros that show what changes the bits of a result or the processors that can run it: one word each.
 #ifdef __AVX2__
 #define IMBIBE_WORD_AVX2 "_avx2"
 #else
@@ -57,10 +57,10 @@
 #define IMBIBE_WORD_THREADS ""
 #endif
 
-/// Stands before the name of a class, or before the declaration of a function or variable, whose meaning or code
-/// depends on the above, and makes that part of the linker's name for it and for everything that has it as an argument.
-/// Without it the linker would take one of two different functions of one name, and a scene would be searched with
-/// packs of 16 and summed with packs of 4, or compiled for one processor and run by another.
+/// Marks a class, function or variable whose meaning or code depends on the above: that becomes part of its linker
+/// name, and of the name of everything that takes it as an argument. Without the mark the linker would take one of two
+/// different functions of the same name: a scene would be searched with packs of 16 and summed with packs of 4, or
+/// compiled for one processor and run by another.
 #if IMBIBE_VECTOR_EXTENSION
 #define IMBIBE_TEXT_OF_(x) #x
 #define IMBIBE_TEXT_OF(x) IMBIBE_TEXT_OF_(x)

@@ -1,4 +1,4 @@
-// What compilers are told that the language has no word for: to inline, to assume, to unroll.
+// Compiler hints that the language has no word for: inline, assume, unroll.
 #pragma once
 
 // Before a function, or behind the parameters of a lambda, that is to be inlined wherever it is called.
@@ -10,7 +10,7 @@
 #define IMBIBE_INLINE_LAMBDA
 #endif
 
-// What always holds, told to the compiler.
+// Tells the compiler that a condition always holds.
 #if defined(__GNUC__) || defined(__clang__)
 #define IMBIBE_ASSUME(condition)                                                                                       \
     do {                                                                                                               \
@@ -21,7 +21,8 @@
 #define IMBIBE_ASSUME(condition) static_cast<void>(0)
 #endif
 
-// Before a loop over the components of a vector or tensor: g++ may leave it a loop, and the components in memory.
+// Before a loop over the components of a vector or tensor: without it g++ may keep the loop, and the components in
+// memory.
 #if defined(__GNUC__) && !defined(__clang__)
 #define IMBIBE_UNROLL _Pragma("GCC unroll 9")
 #else

@@ -7,11 +7,12 @@
 
 namespace imbibe {
 
-/// While it lives, this thread takes denormal numbers (below 1.2e-38 in float) for zero; then all is as it was before.
+/// While it lives, this thread treats denormal numbers (below 1.2e-38 in float) as zero; its destructor restores the
+/// former mode.
 ///
-/// Differences that die out, of velocity in a block that falls or of density at rest, end as denormal numbers, and each
-/// operation on one costs a processor far more than the usual. In float, the sponge scene has many of them while its water
-/// falls. x86 only; on other machines it does nothing.
+/// Differences that die out, such as velocities in a falling block or densities at rest, end as denormal numbers, and
+/// each operation on one is far slower than usual. In float, the sponge scene has many of them while its water falls.
+/// x86 only; on other machines it does nothing.
 class [[maybe_unused]] DenormalsAreZero {
 public:
 #if defined(__SSE2__)

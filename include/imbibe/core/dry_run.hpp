@@ -1,6 +1,7 @@
-// Runs a part's function at compile time on a recording particle: which fields does it really read, and on which side
-// of the pair? The record becomes the part's row in the schedule. What it returns must be a value for each field that
-// the part adds to or sets, and of a pair beyond the support radius, for which it is run once more, zero.
+// Runs a part's function at compile time on a recording particle: which fields does it read, and on which side of the
+// pair? The record becomes the part's row in the schedule. The function must return one value for each field that the
+// part adds to or sets. A pair function is run once more for a pair beyond the support radius, where it must return
+// zero.
 #pragma once
 
 #include <imbibe/core/rule.hpp>
@@ -41,7 +42,7 @@ struct ReturnsAnotherNumber {
     static_assert(sizeof(Part) == 0, "imbibe: this term returns more or fewer values than the fields it sets or adds "
                                      "to: for several fields a std::tuple");
 };
-/// Rule: what a term returns for a field is of the field's rank.
+/// Rule: the value that a term returns for a field has the field's rank.
 template <class Field, class Part>
 struct ReturnsAnotherRank {
     static_assert(sizeof(Field) == 0, "imbibe: what this term returns for this field is of another rank, such as a "
@@ -57,7 +58,7 @@ struct ReachesBeyondTheSupport {
 
 namespace detail {
 
-// A material of ordinary numbers.
+// A material whose members are ordinary numbers.
 template <class Material>
 constexpr Material sample_material() {
     Material m{};
@@ -123,7 +124,7 @@ template <int n>
 struct SidedReads {
     bool a[static_cast<std::size_t>(n + 1)] = {}, b[static_cast<std::size_t>(n + 1)] = {};
 
-    /// All of them: what is said of a part that breaks a rule, so that it breaks no other.
+    /// All of them: reported for a part that breaks a rule, so that it breaks no other.
     static constexpr SidedReads all() {
         SidedReads reads;
         for (bool& read : reads.a)
@@ -153,9 +154,10 @@ concept RunsAtCompileTime = requires {
     typename std::bool_constant<(dry_run<Part, dim, MaterialA, MaterialB>(), true)>;
 };
 
-// Has the part a function that takes such arguments, though it cannot be called? Then something in it is wrong, which
-// the compiler has said already. It is asked beside a function that takes anything as well as it does: the two are
-// ambiguous, so that nothing is called; and with types of its own, as clang++ does not see again what has failed.
+// Has the part a function that takes such arguments, though it cannot be called? Then its body has an error, which the
+// compiler has reported already. The check overloads it with an equally good function that takes anything: the call is
+// ambiguous, so nothing is called. It uses types of its own, because clang++ does not look again at a call that has
+// failed.
 template <class T>
 struct Again : T {};
 struct TakesAnything {
@@ -218,7 +220,7 @@ constexpr bool check_all_read(TypeList<F...>) {
     return (check_read < Part, seen.a[index_of<F, List>] || seen.b[index_of<F, List>], F > () && ...);
 }
 
-// Is V what a part may return for field F? `Central` is the business of pairs.
+// May a part return V for field F? `Central` is for pairs only.
 template <class F, int dim, class V>
 inline constexpr bool is_value_of = [] {
     if constexpr (Algebraic<V>)
@@ -247,7 +249,7 @@ constexpr bool check_values(std::type_identity<std::tuple<V...>>, TypeList<F...>
     else
         return (check_value<Part, dim, F, V>() && ...);
 }
-// Is what it returns zero in all its components?
+// Are all components of the value zero?
 template <class V>
 constexpr bool is_zero(const V& value) {
     if constexpr (Algebraic<V>) {
@@ -267,7 +269,7 @@ template <class... V>
 constexpr bool is_zero(const std::tuple<V...>& values) {
     return std::apply([](const V&... value) { return (is_zero(value) && ...); }, values);
 }
-// What a pair of twice the support radius contributes.
+// What a pair contributes at a distance of twice the support radius.
 template <class Part, int dim, class MaterialA, class MaterialB>
 constexpr bool vanishes_beyond() {
     using A = RecordingParticle<Part, dim, MaterialA>;
@@ -279,7 +281,7 @@ constexpr bool vanishes_beyond() {
     const Pair<dim, T> ab{offset, T(2), SupportRadius(1), Vector<double, dim>::filled(1.0)};
     return is_zero(Part{}(A{seen.a}, B{seen.b}, ab));
 }
-// Is that something? Not where the compiler cannot run it on such a pair.
+// Is that contribution not zero? False where the compiler cannot run the function on such a pair.
 template <class Part, int dim, class MaterialA, class MaterialB>
 inline constexpr bool counts_beyond = false;
 template <class Part, int dim, class MaterialA, class MaterialB>
@@ -301,13 +303,13 @@ constexpr bool check_returned() {
     using B = RecordingParticle<Part, dim, MaterialB>;
     using Given = Concat<typename SetsOf<Part>::type, typename AddsOf<Part>::type>;
     if constexpr (!is_pair_part<Part, dim, MaterialA, MaterialB> && !is_particle_part<Part, dim, MaterialA>) {
-        return false; // an error of its own
+        return false; // reported by another rule
     } else if constexpr (!RunsAtCompileTime<Part, dim, MaterialA, MaterialB>) {
-        return false; // and so is this
+        return false; // reported by another rule
     } else if constexpr (is_pair_part<Part, dim, MaterialA, MaterialB>) {
         using R = std::invoke_result_t<const Part&, A, B, Pair<dim, Number<double>>>;
         if constexpr (SetsOf<Part>::type::size > 0)
-            return true; // an error of its own
+            return true; // reported by another rule
         else if constexpr (check_values<Part, dim>(std::type_identity<R>{}, Given{}))
             return check_reach<Part, dim, MaterialA, MaterialB>();
         else

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-// The compiler would take every number for a finite one, and drop the checks that ask: NaN in a scene, and places in
-// memory that follow from it, would go unnoticed.
+// With finite-math options the compiler takes every number for finite and drops the checks for NaN: NaN in a scene, and
+// memory addresses computed from it, would go unnoticed.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "imbibe: -ffast-math and -Ofast drop the checks for NaN; add -fno-finite-math-only or leave them out"
 #endif
@@ -22,16 +22,15 @@ namespace imbibe {
 /// and the remedy.
 class Error : public std::runtime_error {
 public:
-    /// The message. Empties the buffer of the standard output, from any thread: where nobody catches the error the
-    /// program ends without doing so, and all that a run has printed into a file or pipe, which says where it was,
-    /// would be lost.
+    /// The message. Flushes the standard output, from any thread: if the error is not caught, the program ends without
+    /// flushing, and what the run has printed into a file or pipe, which shows how far it got, would be lost.
     explicit Error(const std::string& message) : std::runtime_error(message) { std::fflush(stdout); }
 };
 
 namespace detail {
 
-/// A part of a text: where it is, and how a stream prints what is there. What joins the parts is compiled once with it,
-/// instead of once for every list of types.
+/// A part of a text: a pointer to it, and how a stream prints it. The code that joins parts is compiled once, not once
+/// for every list of types.
 class TextPart {
 public:
     TextPart(std::string_view words) : words_(words) {}

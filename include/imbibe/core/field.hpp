@@ -22,8 +22,8 @@ enum class Rank { scalar, vector, symmetric_tensor, tensor };
 /// };
 /// inline constexpr Temperature temperature{};
 /// ```
-/// `given` says whether the solver gives it a value when particles are added; all others must be set by a term,
-/// or be integrated from a rate (then they start from zero).
+/// `given` says whether the solver gives the field a value when particles are added. All others must be set by a term,
+/// or be integrated from a rate (these start from zero).
 template <Rank r>
 struct Field {
     /// What it holds per particle.

@@ -21,12 +21,12 @@ struct Velocity : Field<Rank::vector> {
 inline constexpr Velocity velocity{};
 /// Acceleration, m/s^2: starts every step from the scene's gravity.
 inline constexpr Rate<Velocity> acceleration{};
-/// The share of its weight that a particle of a fluid is borne by what is around it, without unit: 1 where it stands, 0
-/// where it falls freely, (g - a).g/|g|^2 in general, with the scene's gravity g and the acceleration a. It is the
-/// running mean of that over the time that sound takes for 10 support radii, so that waves of sound do not count; what
-/// fell freely follows at once, as far as 1. Zero before the first step and where there is no gravity.
-/// The solver keeps it for terms that read it: what a step's rates are made of knows only the acceleration of the steps
-/// before.
+/// Share of a fluid particle's weight that its surroundings bear, without unit: 1 at rest, 0 in free fall, in general
+/// (g - a).g/|g|^2 with the scene's gravity g and the acceleration a. It is a running mean over the time that sound
+/// takes for 10 support radii, so that sound waves do not count; a particle that was in free fall follows at once, up
+/// to 1. Zero before the first step and without gravity.
+/// The solver keeps it for terms that read it, because the rates of a step can use only the accelerations of earlier
+/// steps.
 ///
 /// Source: own.
 struct SupportedShare : Field<Rank::scalar> {
@@ -35,8 +35,8 @@ struct SupportedShare : Field<Rank::scalar> {
 };
 inline constexpr SupportedShare supported_share{};
 
-/// The share n of the space that a fluid has, without unit: 1 but in the pores of a skeleton. Its density is the mass in
-/// all of the space, n times that of the fluid itself.
+/// The share n of space that a fluid fills, without unit: 1, except in the pores of a skeleton. Its density is the mass
+/// per total volume, n times the density of the fluid itself.
 struct Porosity : Field<Rank::scalar> {
     static constexpr std::string_view name = "porosity", unit = "1";
     static constexpr bool shown = true;
@@ -49,9 +49,9 @@ struct DragRate : Field<Rank::scalar> {
     static constexpr std::string_view name = "drag_rate", unit = "1/s";
 };
 inline constexpr DragRate drag_rate{};
-/// Acceleration that follows from all others, m/s^2: of implicit drags, which see the velocity that a particle would have
-/// at the end of the step without them. The solver adds it to the acceleration when that is complete. Only with
-/// integrators that say `allows_implicit`.
+/// Acceleration of implicit drags, m/s^2, which follows from all other accelerations: the drags see the velocity that a
+/// particle would have at the end of the step without them. The solver adds it to the acceleration when that is
+/// complete. Only with integrators that set `allows_implicit`.
 struct ImplicitAcceleration : Field<Rank::vector> {
     static constexpr std::string_view name = "implicit_acceleration", unit = "m/s^2";
 };
@@ -100,7 +100,7 @@ struct SmoothedVelocity : Field<Rank::vector> {
 };
 inline constexpr SmoothedVelocity smoothed_velocity{};
 
-/// What is added to the velocity when particles are moved, and only then (XSPH, particle shifting), m/s.
+/// Added to the velocity when particles are moved, and only then (XSPH, particle shifting), m/s.
 struct TransportCorrection : Field<Rank::vector> {
     static constexpr std::string_view name = "transport_correction", unit = "m/s";
 };

@@ -1,5 +1,5 @@
-// The lattice on which particles are added: what terms compute numbers of that follow from spacing, support radius and
-// dimension.
+// The lattice on which particles are added: terms use it to compute numbers that follow from spacing, support radius
+// and dimension.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -8,7 +8,7 @@
 
 namespace imbibe {
 
-/// Particles on a square or cubic lattice, all of the same volume, seen by one of them.
+/// Particles on a square or cubic lattice, all of the same volume, as one of them sees the others.
 /// @tparam dim 2 or 3
 template <int dim>
 struct Lattice {
@@ -17,9 +17,9 @@ struct Lattice {
 
     /// The volume of a particle, m^dim.
     constexpr double volume() const { return power<dim>(spacing); }
-    /// G/p, without unit: how a pressure p that all particles have, as a force p V_a V_b grad W between each pair,
-    /// resists shear that is slow, as an elastic solid of the shear modulus G does. Of shear along the axes and along
-    /// the diagonals the one where it is larger; it may be negative, then the lattice gives way by itself.
+    /// G/p, without unit: a pressure p that all particles share, as a force p V_a V_b grad W between each pair, resists
+    /// slow shear like an elastic solid of shear modulus G. The larger of the values for shear along the axes and along
+    /// the diagonals. It may be negative; then the lattice is unstable.
     ///
     /// The stress of that force is - p M, M = - sum_b V_b x_ab (x) grad_a W_ab, and M is not the identity in a sheared
     /// lattice: G/p = - dM_xy/dgamma. Source: own.

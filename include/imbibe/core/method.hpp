@@ -1,9 +1,10 @@
-// Methods: one name for terms that usually go together, and for how a fluid that has them meets walls and solids.
+// Methods: one name for terms that usually go together, and for how a fluid with these terms meets walls and solids.
 //
 //   struct Water : imbibe::Fluid<imbibe::Tait<7>, imbibe::WeaklyCompressible<>, imbibe::MonaghanViscosity<>> {};
 //   struct Sides : imbibe::CouplingOf<Water, Tank> {};
 //
-// A method stands in a list like a term, and is replaced by its terms, in their order: nothing else knows of it.
+// A method stands in a list like a term and is replaced by its terms, in their order. The rest of the library does not
+// know of methods.
 #pragma once
 
 #include <imbibe/core/field.hpp>
@@ -23,9 +24,9 @@ struct Method {
     using stands_for = TypeList<Terms...>;
 };
 
-/// In a list of terms: `New` in the place of `Old`, wherever a method of the list, or the list, has it; without `New`
-/// the term is left out. `Fluid<LinearState, WeaklyCompressible<K>, Instead<DensityFloor>>`. In a coupling the new ones
-/// act where the old one did.
+/// In a list of terms: replaces `Old` by `New`, wherever the list or one of its methods has it. Without `New` the term
+/// is left out: `Fluid<LinearState, WeaklyCompressible<K>, Instead<DensityFloor>>`. In a coupling the new terms act on
+/// the same phases as the old one.
 template <class Old, class... New>
 struct Instead {};
 
@@ -52,7 +53,7 @@ struct NoMethodOfTheCoupling {
 
 namespace detail {
 
-// What stands in the list of a phase or coupling: a term, and the phase on which it acts there, or (void) both sides.
+// An entry in the list of a phase or coupling: a term, and the phase on which it acts (void: both sides).
 template <class T>
 struct Listed {
     using Term = T;

@@ -1,4 +1,4 @@
-// Reading a number from a text as the library writes it, with a point in it whatever the locale.
+// Reads a number from a text in the library's own format, with a decimal point in every locale.
 #pragma once
 
 #include <ios>

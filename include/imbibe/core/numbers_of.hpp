@@ -1,5 +1,5 @@
-// The numbers of a small struct, such as the coefficients of a term, as text: to compare two of them and to say how
-// they differ, without their having a function for it.
+// The numbers of a small struct, such as the coefficients of a term, as text: to compare two such structs and to report
+// how they differ, without a function in the struct.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -12,11 +12,11 @@
 
 namespace imbibe::detail {
 
-/// A number as text that reads back as the same number, and is short where that is enough.
+/// A number as text that reads back as the same number, as short as possible.
 inline std::string exact_text(double value) {
     const std::string brief = text(value);
     if (const auto read = number_in_text(brief); !read || read->value == value)
-        return brief; // what is no finite number does not read back
+        return brief; // infinities and NaN do not read back
     std::ostringstream out;
     out.imbue(std::locale::classic());
     out.precision(17);
@@ -24,7 +24,7 @@ inline std::string exact_text(double value) {
     return out.str();
 }
 
-/// Stands for any number where a struct is made of some.
+/// Converts to any number: tests how many numbers a struct can be made of.
 struct AnyNumber {
     template <class T>
     requires std::is_arithmetic_v<T>
@@ -33,7 +33,7 @@ struct AnyNumber {
 template <std::size_t>
 using AnyNumberAt = AnyNumber;
 
-/// Can a T be made of as many numbers?
+/// Can a T be made of this many numbers?
 template <class T, std::size_t... k>
 constexpr bool takes_numbers(std::index_sequence<k...>) {
     return requires {
@@ -51,7 +51,7 @@ template <class T, std::size_t... k>
 constexpr bool has_array(std::index_sequence<k...>) {
     return (takes_two_at_once<T>(std::make_index_sequence<k>{}) || ...);
 }
-/// How many numbers a struct holds that holds nothing else; 0 for any other type, and for one of more than eight.
+/// The number of members of a struct of numbers only; 0 for any other type, and for more than eight.
 template <class T>
 constexpr std::size_t count_of_numbers() {
     if constexpr (std::is_aggregate_v<T>) {
@@ -66,7 +66,7 @@ constexpr std::size_t count_of_numbers() {
     }
 }
 
-/// "0.1, 2": the numbers of a struct that holds nothing else, eight at most; empty for any other type.
+/// "0.1, 2": the members of a struct of at most eight numbers only; empty for any other type.
 template <class T>
 std::string numbers_of(const T& all) {
     constexpr std::size_t count = count_of_numbers<T>();

@@ -1,4 +1,4 @@
-// The number type of the pair loop: one number, or as many as the processor computes at once.
+// The number type of the pair loop: one number, or as many as the processor computes at once (a SIMD pack).
 //
 // A term's function is a template over its numbers and never mentions this class. The pair loop hands it
 // Pack<Real, width> with the width of the machine (`native_width`), the particle loop Pack<Real, 1>. Built on the
@@ -55,9 +55,9 @@ template <class Real, int width>
 inline constexpr bool estimates = IMBIBE_ESTIMATES != 0 && width * sizeof(Real) == 64;
 
 #if IMBIBE_ESTIMATES
-// Quotient and root from the processor's estimates of 14 bits and Newton's steps, each of which doubles them. The
-// zero-masking forms with a full mask are the plain instructions; g++ 12 warns of an uninitialised value inside its own
-// header for the unmasked ones.
+// Quotient and root from the processor's 14-bit estimates and Newton steps, each of which doubles the number of correct
+// bits. The zero-masking forms with a full mask are the plain instructions; for the unmasked ones g++ 12 warns of an
+// uninitialised value inside its own header.
 using Floats = typename PackStorage<float, 16>::type;
 using Doubles = typename PackStorage<double, 8>::type;
 
@@ -96,7 +96,7 @@ IMBIBE_INLINE Doubles root(Doubles x) {
 struct write_select_of_the_comparison_and_two_values;
 
 namespace rules {
-/// Rule: a term chooses between values by `select`, for its numbers may be packs of several.
+/// Rule: a term chooses between values with `select`, because its numbers may be packs.
 template <class Advice>
 struct NumbersAskedByIf {
     static_assert(sizeof(Advice*) == 0, "imbibe: a term compares its numbers in an `if`, by && or ?:, and they may be "
@@ -148,7 +148,7 @@ struct IMBIBE_PER_BUILD Pack {
         requires std::is_arithmetic_v<A>
     IMBIBE_INLINE constexpr Pack(A number) : lanes(broadcast(static_cast<Real>(number))) {}
 
-    /// The numbers at `from`, `from + 1`, ...; no alignment is asked for.
+    /// The numbers at `from`, `from + 1`, ...; they need not be aligned.
     IMBIBE_INLINE static constexpr Pack load(const Real* from) {
         if constexpr (width == 1) {
             return Pack(*from);
@@ -178,9 +178,9 @@ struct IMBIBE_PER_BUILD Pack {
     friend IMBIBE_INLINE constexpr Pack operator+(Pack a, Pack b) { return made(a.lanes + b.lanes); }
     friend IMBIBE_INLINE constexpr Pack operator-(Pack a, Pack b) { return made(a.lanes - b.lanes); }
     friend IMBIBE_INLINE constexpr Pack operator*(Pack a, Pack b) { return made(a.lanes * b.lanes); }
-    /// Correctly rounded, but for whole AVX-512 registers on processors other than Zen, where it is by a reciprocal that
-    /// is improved to the last bit or the one before it: the divider would hold up everything else. There |b| must be
-    /// from 1e-37 to 1e37.
+    /// Correctly rounded, except for whole AVX-512 registers on processors other than Zen: there it is the refined
+    /// reciprocal, right to the last bit or the one before it, because the divider would stall the pipeline. In that
+    /// case |b| must be from 1e-37 to 1e37.
     friend IMBIBE_INLINE constexpr Pack operator/(Pack a, Pack b) {
 #if IMBIBE_ESTIMATES
         if constexpr (detail::estimates<Real, width>)
@@ -215,7 +215,7 @@ private:
     }
 };
 
-/// One number in the clothes of a pack: what particle functions receive.
+/// One number with the interface of a pack: what particle functions receive.
 template <class Real>
 using Number = Pack<Real, 1>;
 

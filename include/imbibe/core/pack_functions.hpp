@@ -1,5 +1,5 @@
-// The functions of numbers that a term may call: roots, powers, extremes, choices, lane by lane where they are of packs,
-// and written so that what is known at compile time costs nothing.
+// The functions of numbers that a term may call: roots, powers, extremes, choices. They act lane by lane on packs, and
+// what is known at compile time costs nothing at run time.
 #pragma once
 
 #include <imbibe/core/pack.hpp>
@@ -61,8 +61,8 @@ IMBIBE_INLINE constexpr A select(bool where, A a, std::type_identity_t<A> b) {
     return where ? a : b;
 }
 
-// The zero-masking forms with a full mask below are the plain instructions; g++ 12 warns of an uninitialised value
-// inside its own header for the unmasked ones.
+// The zero-masking forms with a full mask below are the plain instructions; for the unmasked ones g++ 12 warns of an
+// uninitialised value inside its own header.
 
 namespace detail {
 
@@ -96,7 +96,7 @@ IMBIBE_INLINE constexpr Pack<Real, width> extreme(Pack<Real, width> a, Pack<Real
         return made(greater ? _mm_max_pd(x, y) : _mm_min_pd(x, y));
     } else
 #endif
-        // Not one expression with ?:, of which g++ reports the half that is not taken once something else is wrong.
+        // Not one expression with ?:, because g++ also reports errors in the branch not taken.
         if constexpr (greater)
             return select(a > b, a, b);
         else
@@ -147,9 +147,9 @@ IMBIBE_INLINE constexpr T abs(T x) {
     return max(x, -x);
 }
 
-/// The square root of x >= 0. At width > 1 without a call, which std::sqrt would be without -fno-math-errno; for whole
-/// AVX-512 registers on processors other than Zen within the last bit, by Newton's method, which is faster there than
-/// the instruction.
+/// The square root of x >= 0. At width > 1 it needs no function call, unlike std::sqrt without -fno-math-errno. For
+/// whole AVX-512 registers on processors other than Zen it uses Newton's method, right to the last bit and faster there
+/// than the instruction.
 template <class Real, int width>
 IMBIBE_INLINE constexpr Pack<Real, width> sqrt(Pack<Real, width> a) {
     using P [[maybe_unused]] = Pack<Real, width>;
@@ -211,7 +211,7 @@ constexpr double cube_root(double x) {
         root *= 2;
     while (root * root * root > 8 * x)
         root /= 2;
-    for (int k = 0; k < 8; ++k) // Newton's: from at most twice the root, the error is squared each time
+    for (int k = 0; k < 8; ++k) // Newton's method: from at most twice the root, each step squares the error
         root -= (root - x / (root * root)) / 3;
     return root;
 }
@@ -319,7 +319,7 @@ IMBIBE_INLINE std::uint32_t less_bits(Pack<Real, width> a, Pack<Real, width> b) 
     }
 }
 
-/// The lanes without their fractions, as integers at `to`.
+/// Writes the lanes, truncated to integers, to `to`.
 template <int width>
 IMBIBE_INLINE void truncate(Pack<float, width> x, std::int32_t* to) {
     if constexpr (width == 1) {

@@ -1,6 +1,6 @@
-// Loops over blocks of particles, with threads where OpenMP is switched on. Blocks are independent, so nothing that
-// is computed depends on how many threads there are. Every loop of many blocks gives a thread about the same share of
-// the particles first: what it has written is then still near the core that reads it in the next loop.
+// Loops over blocks of particles, with threads if OpenMP is switched on. Blocks are independent, so no result depends
+// on the number of threads. Every loop of many blocks gives a thread about the same share of the particles first, so
+// that its data are still near the core that reads them in the next loop.
 #pragma once
 
 #include <imbibe/core/build_options.hpp>
@@ -19,8 +19,8 @@ namespace imbibe {
 #ifdef _OPENMP
 namespace detail {
 
-/// Deals out 0 ... n-1 to the threads of a team: to each its own stretch in order, and when that is done what others
-/// have not begun of theirs.
+/// Deals out 0 ... n-1 to the threads of a team: each works through its own stretch in order, then takes what the
+/// others have not begun of theirs.
 ///
 /// Source: Markatos and LeBlanc (1992), affinity scheduling; here the stretch is taken one by one.
 class Shares {
@@ -32,13 +32,13 @@ public:
             shares[static_cast<std::size_t>(k)].end = begin(k + 1);
         }
     }
-    /// Calls f(k) for all that thread `own` gets.
+    /// Calls f(k) for every k that thread `own` gets.
     template <class F>
     void work(std::size_t own, const F& f) {
         for (std::size_t turn = 0; turn < shares.size(); ++turn) {
             Share& share = shares[(own + turn) % shares.size()];
             if (share.next.load(std::memory_order_relaxed) >= share.end)
-                continue; // spares the others' cache line a write
+                continue; // saves a write to the other thread's cache line
             for (int k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
                 f(k);
         }
@@ -55,8 +55,8 @@ private:
 } // namespace detail
 #endif
 
-/// The most threads that a scene or a search takes: where a machine cannot make that many, the program would end
-/// without a word.
+/// The most threads that a scene or a search takes: on a machine that cannot create that many, OpenMP would end the
+/// program without a message.
 inline constexpr int most_threads = 1024;
 
 /// How many threads a loop may use at most: the machine's, or 1 without OpenMP.
@@ -69,16 +69,16 @@ IMBIBE_PER_BUILD inline int available_threads() {
 #endif
 }
 
-/// Calls f(k) for k = 0 ... n-1, on up to `threads` threads in any order: the threads begin at even distances. f must
-/// not write what another call reads. The first exception thrown by a call is thrown again, on several threads when all
-/// are done. In f denormal numbers are zero.
+/// Calls f(k) for k = 0 ... n-1 in any order, on up to `threads` threads that begin at even distances. f must not write
+/// what another call reads. The first exception thrown by a call is rethrown; with several threads, after all are done.
+/// f runs with denormal numbers taken as zero.
 template <class F>
 IMBIBE_PER_BUILD void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
 #ifdef _OPENMP
     if (threads > 1 && n > 1) {
         std::exception_ptr failure;
-        // Where fewer threads come, they do the work of the others. A share for each of more threads than blocks would
-        // leave the first thread, which is awake, without one.
+        // If fewer threads start, they do the work of the missing ones. With more shares than blocks, the first thread,
+        // which is awake already, would have none.
         detail::Shares shares(n, n < threads ? n : threads);
 #pragma omp parallel num_threads(threads)
         {

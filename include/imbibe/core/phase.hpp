@@ -27,7 +27,7 @@ struct TupleOf<TypeList<T...>> {
     using type = std::tuple<T...>;
 };
 
-// The parameters that a part is filled with, as the type of its member of that name; void where it has none.
+// The parameters that fill a part, as the type of its member of that name; void if it has none.
 template <class Part>
 struct ParametersIn {
     using type = void;
@@ -65,8 +65,8 @@ struct PreparedOf<Term> {
     using type = TypeList<typename Term::Prepared>;
 };
 
-/// The name of the type T in the name of a function, as compilers spell it: what stands behind the last :: that is in
-/// no brackets, without template arguments.
+/// The name of the type T within a function name as compilers print it: the text after the last :: outside brackets,
+/// without template arguments.
 inline std::string name_in(std::string_view function) {
     std::size_t begin = function.find("T = ") + 4, end = begin, arguments = std::string_view::npos;
     for (int depth = 0; end < function.size(); ++end) {
@@ -84,14 +84,14 @@ inline std::string name_in(std::string_view function) {
     return std::string(function.substr(begin, std::min(arguments, end) - begin));
 }
 
-/// The name of a type as the user wrote it, without what it is in and without its template arguments.
+/// The name of a type as the user wrote it, without namespaces and template arguments.
 template <class T>
 std::string type_name() {
     return name_in(__PRETTY_FUNCTION__);
 }
 
-/// The name of phase P among those of a scene, as `spelled` has it: where another one has the same name, as `Body<0>`
-/// and `Body<1>` do, with its number in the list behind it.
+/// The name of phase P among those of a scene, as `spelled` has it. If another phase has the same name, such as
+/// `Body<0>` and `Body<1>`, its number in the list is appended.
 template <class P, class... All, class Spelled = std::identity>
 std::string name_among(TypeList<All...>, const Spelled& spelled = {}) {
     const std::string name = spelled(type_name<P>());
@@ -117,7 +117,7 @@ inline void require_positive(double value, std::string_view phase, std::string_v
 struct list_the_term_that_they_are_of;
 struct write_using_Parameters_in_the_term;
 namespace rules {
-/// Rule: parameters are given to a phase or coupling that lists the term they are of.
+/// Rule: parameters can be given only to a phase or coupling that lists the term they belong to.
 template <class Parameters, class TheirsAre, class Advice>
 struct NoTermHasTheseParameters {
     static_assert(sizeof(Parameters) == 0, "imbibe: no term of this phase or coupling has these parameters");
@@ -130,14 +130,14 @@ struct ParametersNotDeclared {
 };
 } // namespace rules
 
-/// The numerical coefficients of a list of terms: one value of each term's `Parameters`, and of what terms prepare.
+/// The numerical coefficients of a list of terms: one value of each term's `Parameters`, and of each term's `Prepared`.
 template <class... Terms>
 struct Coefficients {
     /// The types of the coefficients, each once.
     using List = detail::Unique<detail::Concat<typename detail::ParametersOf<Terms>::type...>>;
     /// Their values.
     typename detail::TupleOf<List>::type all{};
-    /// What terms computed of them: one value of each term's `Prepared`.
+    /// What terms computed from them: one value of each term's `Prepared`.
     typename detail::TupleOf<detail::Unique<detail::Concat<typename detail::PreparedOf<Terms>::type...>>>::type
         prepared{};
 
@@ -162,7 +162,7 @@ private:
             return &detail::nothing<P>();
         }
     }
-    // Why there are none of type P: a term may not say that they are its own.
+    // Why there are none of type P: no term declares them as its own.
     template <class P>
     static constexpr void explain() {
         detail::break_rule<rules::NoTermHasTheseParameters<P, List, list_the_term_that_they_are_of>>();
@@ -185,12 +185,12 @@ struct CoefficientsIn<TypeList<T...>> {
 };
 } // namespace detail
 
-/// How the particles of a phase move: as the forces on them say. Fluids and solids.
+/// Particles move as the forces on them say. Fluids and solids.
 struct Free {};
-/// With the velocity that a term sets (by `a.time`, say) or a program writes: the integrator advances their positions by
-/// it, and no force does. `struct Paddle : Wall<...> { using motion = Prescribed; };`
+/// Particles move with a velocity that a term sets (from `a.time`, say) or a program writes. The integrator advances
+/// their positions with it; forces do not act on them. `struct Paddle : Wall<...> { using motion = Prescribed; };`
 struct Prescribed {};
-/// Not at all, unless a program writes their positions, and their velocities with them. Walls.
+/// Particles do not move, unless a program writes their positions, and with them their velocities. Walls.
 struct Placed {};
 
 namespace detail {
@@ -265,7 +265,7 @@ struct Solid {
         detail::require_positive(sound_speed, name, "sound_speed", "m/s");
         detail::require_positive(shear_modulus, name, "shear_modulus", "Pa");
     }
-    /// A sentence when the moduli are legal but odd; empty otherwise.
+    /// A sentence if the moduli are legal but unusual; empty otherwise.
     std::string warning(std::string_view name) const {
         const double nu = poisson_ratio();
         if (nu > 0.4999)
@@ -279,8 +279,8 @@ struct Solid {
 };
 
 /// A wall: particles that no force moves, with the terms they need to push on a fluid. It rests, moves with a velocity
-/// that a term sets or a program writes (`using motion = Prescribed;`), or is where a program puts it: that writes
-/// positions and velocities in every step, for the fluid's pressure follows from the velocities.
+/// that a term sets or a program writes (`using motion = Prescribed;`), or is placed by a program, which then writes
+/// positions and velocities in every step, because the fluid's pressure follows from the velocities.
 template <class... Terms>
 struct Wall {
     using written = TypeList<Terms...>;                     ///< as it stands in the program
@@ -310,7 +310,7 @@ namespace detail {
 // Does it act on phase P?
 template <class P, class T>
 inline constexpr bool acts_on = std::is_void_v<typename Listed<T>::On> || std::is_same_v<typename Listed<T>::On, P>;
-// Has a phase or coupling with these terms one of the effect that acts on phase P?
+// Does a term with the effect act on phase P in a phase or coupling with these terms?
 template <class P, class Effect, class... T>
 constexpr bool has_effect_on(TypeList<T...>) {
     [[maybe_unused]] const auto has = []<class Term>(std::type_identity<Term>) {
@@ -320,7 +320,7 @@ constexpr bool has_effect_on(TypeList<T...>) {
     };
     return ((acts_on<P, T> && has(std::type_identity<typename Listed<T>::Term>{})) || ...);
 }
-// Has a coupling with these terms one whose two phases are meant to be in the same place?
+// Has a coupling with these terms one whose two phases may overlap?
 template <class... T>
 constexpr bool overlaps(TypeList<T...>) {
     [[maybe_unused]] const auto does = []<class Term>(std::type_identity<Term>) {
@@ -330,7 +330,7 @@ constexpr bool overlaps(TypeList<T...>) {
     };
     return (does(std::type_identity<typename Listed<T>::Term>{}) || ...);
 }
-// Has a coupling with these terms one whose limit asks for the nearest pair? That is a repulsion.
+// Has a coupling with these terms one whose time step limit asks for the nearest pair? That is a repulsion.
 template <class... T>
 constexpr bool asks_for_nearest(TypeList<T...>) {
     [[maybe_unused]] const auto asks = []<class Term>(std::type_identity<Term>) {
@@ -370,14 +370,13 @@ using CouplingByWritten =
     typename CouplingOfTerms<A, B, typename CouplingByMethods<A, B, typename A::written>::type, More...>::type;
 } // namespace detail
 
-/// The terms between a fluid and a wall, a solid or another fluid, as the methods that the fluid lists have them, and
-/// `More`: further terms, or Instead<...> for terms that are to be others here. `struct Sides : CouplingOf<Water, Tank>
-/// {};`
+/// The terms between a fluid and a wall, a solid or another fluid, as the fluid's methods define them, and `More`:
+/// further terms, or Instead<...> to replace some of them here. `struct Sides : CouplingOf<Water, Tank> {};`
 template <class Liquid, class Body, class... More>
 struct CouplingOf : detail::CouplingByWritten<Liquid, Body, More...> {};
 
 namespace detail {
-// Refuses what is no elastic constant, with the function `where` in the message.
+// Throws for illegal elastic constants, with the function `where` in the message.
 constexpr void check_elastic_constants(std::string_view where, double young_modulus, double poisson_ratio) {
     if (!(young_modulus > 0 && young_modulus < std::numeric_limits<double>::infinity()))
         refuse({where, ": Young's modulus = ", young_modulus,

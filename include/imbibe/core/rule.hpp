@@ -1,5 +1,5 @@
-// How a broken rule is said: one error, whose text is the rule's and whose names are the culprits. And the rule that
-// scenes and shapes share.
+// How a broken rule is reported: one compile error, whose text is the rule's and whose names are the culprits. And the
+// rule that scenes and shapes share.
 #pragma once
 
 #include <type_traits>
@@ -7,7 +7,7 @@
 namespace imbibe {
 
 namespace rules {
-/// Rule: scenes and shapes are those of the plane or of space.
+/// Rule: scenes and shapes have two or three dimensions.
 template <class Dimension>
 struct NotTwoOrThreeDimensions {
     static_assert(sizeof(Dimension) == 0, "imbibe: a scene or a shape has 2 or 3 dimensions");
@@ -16,15 +16,15 @@ struct NotTwoOrThreeDimensions {
 
 namespace detail {
 
-// Prints the rule's message, once: a class is completed when it is named as a base, and its static_assert fires. It is
-// not touched again, so that neither compiler has a second complaint. False, for checks that end there.
+// Prints the rule's message, once: naming a class as a base completes it, and its static_assert fires. It is not used
+// again, so neither compiler reports a second error. False, for checks that end there.
 template <class Rule>
 constexpr bool break_rule() {
     struct Broken : Rule {};
     return false;
 }
 
-// What a function returns behind a broken rule, so that nothing else is wrong with it. There is none.
+// The return type of a function after a broken rule, so that it causes no further error. It has no definition.
 template <class T>
 T& nothing();
 

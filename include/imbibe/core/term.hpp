@@ -1,53 +1,52 @@
-// What a term is made of, and how the library finds out what it touches.
+// What a term is made of, and how the library finds out what it reads and writes.
 //
 // A term is one physical or numerical effect: an empty struct that is either one part itself or lists its parts in
 // `using parts = Parts<...>`. A part is
 //   - a particle function  (a) -> values, with `reads`, and `sets` and/or `adds`, or
-//   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`. It vanishes at the
-//     support radius and beyond, as all does that is multiplied by a kernel: neighbours are looked for somewhat
-//     further, and packs are filled up with whoever is at hand.
-// It is constexpr, and calls sqrt, exp, pow, min and max by these names alone: its numbers may be packs of several.
-// Besides its fields a particle has `material`, `gravity()`, `time`, s, when the step begins, and `time_step`, s: by
-// how much states are advanced with the rates that are being computed; 0 for what is computed once, and where an
-// integrator does not advance them by these rates alone (MidpointRungeKutta, PredictorCorrector).
+//   - a pair function      (a, b, ab) -> what neighbour b contributes to a, with `reads` and `adds`. It must vanish at
+//     the support radius and beyond, as everything multiplied by a kernel does: neighbours are searched somewhat
+//     further, and packs are padded with arbitrary particles.
+// It is constexpr and calls sqrt, exp, pow, min and max by these names alone, because its numbers may be packs. Besides
+// its fields a particle has `material`, `gravity()`, `time`, the time at the begin of the step, s, and `time_step`, s:
+// the length by which states are advanced with the rates being computed. `time_step` is 0 for parts that are computed
+// once, and with integrators that do not advance states by these rates alone (MidpointRungeKutta, PredictorCorrector).
 //
 // Optional members of a part: `Parameters parameters;` (filled from the phase), `using neighbourhood = Reference;`,
-// `static constexpr bool once = true;` (evaluated before the first step and when particles are added, of all particles,
-// not in every step: it reads what stays, such as masses and reference positions), and, of a particle function, `static
-// constexpr bool in_packs = true;`: like a pair function it asks nothing of its numbers by `if`, so it is called for as
-// many particles at once as the machine computes.
+// `static constexpr bool once = true;` (evaluated before the first step and when particles are added, for all
+// particles, not in every step: it reads only what does not change, such as masses and reference positions), and, of a
+// particle function, `static constexpr bool in_packs = true;`: like a pair function it has no `if` on its numbers, so
+// it is called for as many particles at once as the machine computes.
 //
 // Optional members of a term:
 //   - `struct Parameters`, and `using stores = Fields<...>;` for fields without a part;
-//   - `using effect`: what only one term of a phase may be, see below;
-//   - `using beside_in_couplings`: a term that every coupling must have into the phase, if it has one of that effect;
-//     `using never_in_couplings`: one that none may have;
-//   - `using corrected_kernel`: the kernel of a gradient, or of its correction; all of a phase are the same;
+//   - `using effect`: an effect of which a phase may have one term only, see below;
+//   - `using beside_in_couplings`: a term that every coupling must have into the phase if it has one of that effect;
+//     `using never_in_couplings`: a term that no coupling may have;
+//   - `using corrected_kernel`: the kernel of a gradient, or of its correction; it must be the same throughout a phase;
 //   - `using reacts_to = TypeList<...>`: terms of the same coupling that it needs there;
 //   - where it may be listed, each `static constexpr bool ... = true;`: `within_phases` (not in couplings), `one_sided`
 //     (in couplings, as Into the wall or the solid), `between_fluids` (in phases, and in couplings of two fluids),
 //     `between_fluid_and_other` (in couplings of a fluid and what is none), `of_solids` (it asks for the elastic moduli
 //     of `Solid`), `needs_viscosity` (it asks for the viscosity of its phase, or of one of the two of a coupling);
-//   - `static double support_radius(const auto& material)`, in couplings with both materials, and behind these the
+//   - `static double support_radius(const auto& material)`, in couplings with both materials, followed by the
 //     Parameters if it needs them: how far its pair functions reach, m, if not as far as the phases do. Their
 //     neighbours are listed apart, so the other terms do not pay for them;
 //   - `struct Prepared` and `template <int dim> static Prepared prepare(const auto& material, const Lattice<dim>&)`, in
-//     couplings with both materials, and behind these the Parameters if it needs them: numbers that follow from
-//     spacing, support radius and dimension (lattice.hpp). They are computed before the first step and when a program
-//     may have changed coefficients, and fill the member `Prepared prepared;` of its parts;
-//   - `using reductions = Parts<...>`: what its fields are summed up to, or are at most or least, see Sum, Max and Min;
-//   - `static constexpr bool changes_volume = true`: its rate of the density ties that to where the particles are, and
-//     is not taken out of the volume of a fluid that fills a periodic box (closed_fluid.hpp);
-//   - `static constexpr bool overlapping = true`, in couplings: the two phases are meant to be in the same place, as a
-//     skeleton and the fluid in its pores;
+//     couplings with both materials, followed by the Parameters if it needs them: numbers that follow from spacing,
+//     support radius and dimension (lattice.hpp). They are computed before the first step and when a program may have
+//     changed coefficients, and fill the member `Prepared prepared;` of its parts;
+//   - `using reductions = Parts<...>`: sums, maxima and minima of its fields, see Sum, Max and Min;
+//   - `static constexpr bool changes_volume = true`: its rate of the density ties the density to the positions, so it
+//     is not removed from the volume of a fluid that fills a periodic box (closed_fluid.hpp);
+//   - `static constexpr bool overlapping = true`, in couplings: the two phases may overlap, as a skeleton and the fluid
+//     in its pores do;
 //   - `using pressure_kernel`: the kernel of a pressure force whose lattice resists shear (Lattice::shear_stiffness);
 //   - `static constexpr double greatest_poisson_ratio` of a law of stress: above it a scene warns;
 //   - `static double time_step_limit(const auto& material, const TimeStepInput&)`, in couplings with both materials,
-//     and behind these the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that
-//     reads positions must have one, 2/sqrt(k) for a stiffness k per mass, or derive from `NotStiff`: the solver's own
-//     limit on accelerations, sqrt(spacing/|a|), knows how far a particle is thrown in a step, not how stiff what
-//     throws it is. One that is stiff in the distance of two particles, or in a field made of positions, should have
-//     one too.
+//     followed by the Parameters if it needs them, with `static constexpr const char* limit_name`. A force that reads
+//     positions must have one, 2/sqrt(k) for a stiffness k per mass, or derive from `NotStiff`: the solver's own limit
+//     on accelerations, sqrt(spacing/|a|), sees how far a particle is thrown in a step, not how stiff the force is. A
+//     term that is stiff in the distance of two particles, or in a field computed from positions, should have one too.
 #pragma once
 
 #include <imbibe/core/field.hpp>
@@ -62,8 +61,8 @@
 
 namespace imbibe {
 
-/// Effects of which a phase, or each side of a coupling, has one term only: two forms of the same equation, both
-/// listed, would count it twice. A term says `using effect = effects::pressure_force;`.
+/// Effects of which a phase, or each side of a coupling, may have one term only: two forms of the same equation would
+/// count it twice. A term says `using effect = effects::pressure_force;`.
 namespace effects {
 struct continuity_equation; ///< the rate of the density by the motion
 struct pressure_force;      ///< that of the pressure, or of all of a solid's stress, over present neighbours or others
@@ -107,10 +106,10 @@ struct Lattice;
 template <class... P>
 using Parts = TypeList<P...>;
 
-/// What a part among the `reductions` of a term does with what its function (a) -> number returns for the particles of
-/// a phase: `using reduces = Sum<StoredEnergy>;`. It says which fields it `reads`, and is asked whenever a limit on the
-/// step, a guard or a program wants to know (`reduced`), never in a step. Its numbers are plain doubles, and it may
-/// branch. In a coupling it counts for nothing.
+/// A part among the `reductions` of a term, whose function (a) -> number is summed over the particles of a phase:
+/// `using reduces = Sum<StoredEnergy>;`. It lists the fields it `reads`. It is evaluated only when a time step limit, a
+/// guard or a program asks for it (`reduced`), never as part of a step. Its numbers are plain doubles, and it may
+/// branch. In a coupling it is ignored.
 /// @tparam Quantity_ what it is: a field, or a struct with `name` and `unit`
 template <class Quantity_>
 struct Sum {
@@ -315,11 +314,11 @@ IMBIBE_INLINE constexpr Central<T> along(const Pair<dim, T>&, const std::type_id
     return {factor};
 }
 
-/// What a term may use to say how long a step may be.
+/// What a term may use to limit the time step.
 ///
-/// Speeds are those against what is around, not those that all share: in the frame of the walls (at their mean
-/// velocity), at rest where particles are held, and where there are neither in the frame of the mean velocity of all
-/// particles. Two particles approach by the sum of their phases' `max_speed` at most.
+/// Speeds are relative to the surroundings: in the frame of the walls (their mean velocity); at rest if particles are
+/// held; without either, in the frame of the mean velocity of all particles. Two particles approach with at most the
+/// sum of their phases' `max_speed`.
 struct IMBIBE_PER_BUILD TimeStepInput {
     double support_radius;   ///< H of the phase, m
     double spacing;          ///< initial particle spacing of the phase, m
@@ -328,19 +327,20 @@ struct IMBIBE_PER_BUILD TimeStepInput {
     int dimension;           ///< 2 or 3
     /// The spacing of the other phase and its greatest speed, for terms of a coupling.
     double other_spacing = 0, other_max_speed = 0;
-    /// The distance of the two phases' nearest particles where the last step began, m: for terms of a coupling that ask
-    /// for it by `static constexpr bool limit_by_nearest = true`. Infinite for others, and where none is in reach.
+    /// The distance of the two phases' nearest particles at the begin of the last step, m: for terms of a coupling that
+    /// ask for it with `static constexpr bool limit_by_nearest = true`. Infinite for others, and if no pair is in
+    /// reach.
     double nearest = std::numeric_limits<double>::infinity();
-    /// What the term's own reduction by Max gives, for terms of a phase.
+    /// Result of the term's own reduction by Max, for terms of a phase.
     double greatest = 0;
-    /// What its reduction by Min gives.
+    /// Result of its reduction by Min.
     double least = 0;
-    /// The greatest of the phase's velocities as they are, m/s: for a term that asks for the velocity itself.
+    /// The greatest velocity in the phase, m/s, without change of frame: for a term that needs the velocity itself.
     double fastest = 0;
 };
 
-/// The base of a term whose force depends on positions and is not stiff in them, such as that of a rotating frame or of
-/// waves that are made somewhere: it limits no step.
+/// The base of a term whose force depends on positions but is not stiff in them, such as that of a rotating frame or of
+/// a wave maker: it does not limit the step.
 struct NotStiff {
     static constexpr const char* limit_name = "not stiff";
     static double time_step_limit(const auto&, const TimeStepInput&) { return std::numeric_limits<double>::infinity(); }
@@ -361,8 +361,8 @@ template <class Term>
 concept HasParts = requires { typename Term::parts; };
 template <class Term>
 concept HasStores = requires { typename Term::stores; };
-/// What a term says of its own with the materials M of a phase or of both phases of a coupling, and its parameters if
-/// it needs them: how far it reaches, and the numbers that it prepares.
+/// A term with the materials M of a phase or of both phases of a coupling, and its parameters if it needs them: its
+/// support radius, and the numbers that it prepares.
 template <class Term, class... M>
 concept SaysSupport = requires(const M&... material) {
     { Term::support_radius(material...) } -> std::convertible_to<double>;
@@ -408,13 +408,13 @@ double support_of_term(const Owner& owner, const M&... material) {
     else
         return Term::support_radius(material..., owner.coefficients.template get<typename Term::Parameters>());
 }
-/// Has it a function of that name that cannot be called so?
+/// Has it a function of that name that cannot be called with these arguments?
 template <class Term, class Owner>
 inline constexpr bool support_of_another_form = !TermOf<Term, Owner>::says_support && requires {
     &Term::support_radius;
 };
 
-/// Has it what a term may have: parts, fields that it stores, or the fields of a part?
+/// Has it what a term must have: parts, fields that it stores, or the fields of a part?
 template <class T>
 concept IsTerm = HasParts<T> || HasStores<T> || requires { typename T::reads; } || requires { typename T::adds; } ||
                  requires { typename T::sets; };
@@ -423,7 +423,7 @@ template <class Term>
 struct PartsOf {
     using type = std::conditional_t<IsTerm<Term>, TypeList<Term>, TypeList<>>;
 };
-// What is no list, which is an error of its own, counts as its only element.
+// A type that is no list is an error of its own; it counts here as a list's only element.
 template <class Given>
 struct ListOfParts {
     using type = std::conditional_t<IsTerm<Given>, TypeList<Given>, TypeList<>>;

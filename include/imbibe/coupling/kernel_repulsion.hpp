@@ -4,9 +4,9 @@
 //   struct Contact : Coupling<Water, Sponge, SymmetricPressure<Spiky>, LaminarViscosity<>, KernelRepulsion<>> {};
 // The first two are the terms of the fluid itself. Between phases they give, pair by pair, the force
 //   F_ab = - m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) grad_a W + eta V_a V_b (v_b - v_a) Laplacian W,   V = m/rho,
-// which changes sign when a and b change places. This is Eq. (23) as it must be read: with the printed factor rho_b
-// and without 1/rho_b in the viscous part, action and reaction differ (by 11 % at the paper's densities); and it is
-// Eq. (25) for every pair, not only for the sums.
+// which changes sign when a and b are exchanged. This is Eq. (23) in its consistent reading: with the printed factor
+// rho_b and without 1/rho_b in the viscous part, action and reaction differ (by 11 % at the paper's densities). It is
+// also Eq. (25) for every pair, not only for the sums.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -23,9 +23,9 @@ namespace imbibe {
 struct KernelRepulsionParameters {
     /// K_f, Pa. The force is that of a pressure of this size on overlapping kernels.
     double stiffness = 1e8;
-    /// How far the repulsion reaches, in means of the two particle spacings, at most the support radius; 0: the support
-    /// radius, as in the paper.
-    /// With 0.7 only particles that have come out of order are pushed back, and where they are not, nothing changes.
+    /// Range of the repulsion, in means of the two particle spacings, at most the support radius; 0: the support
+    /// radius, as in the paper. With 0.7 only particles that have come too near are pushed back; otherwise nothing
+    /// changes.
     double range = 0;
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message
@@ -38,20 +38,20 @@ struct KernelRepulsionParameters {
 /// dv_a/dt = - K_f/m_a sum_b V_a V_b grad_a W_ab, in m/s^2, with the volumes V = m/rho. W has the support radius H of
 /// the two phases, or `range` spacings.
 ///
-/// In couplings: keeps two phases apart when the pressure alone does not. The force of the pair is along the line of
-/// centres, repulsive (W falls with distance), equal and opposite, to the last bit where the masses are equal.
-/// 1e8 Pa at half the support radius is 4.5e7 m/s^2 per neighbour in the paper's scene.
+/// In couplings: keeps two phases apart if the pressure alone does not. The force of the pair is along the line of
+/// centres, repulsive (W falls with distance), equal and opposite, to the last bit where the masses are equal. 1e8 Pa
+/// at half the support radius is 4.5e7 m/s^2 per neighbour in the paper's scene.
 ///
-/// With a `range` below 1 and a small K_f it is another tool: a guard for couplings whose pressure keeps the phases
-/// apart on average, but not every particle. Where a film or a jet of water is stretched along a surface, its density
-/// stays what it is while its particles come nearer and nearer to the surface, and in the end sink in. In the scene of
-/// the sponge 0.7 spacings keep them out, at any K_f from 1e3 to 1e5 Pa with the same outcome. Within a fluid it does
-/// the same for the particles of such a film or jet, which come nearer to each other across it and end in pairs: there
-/// it is a term of the fluid. Where nothing is out of order, it changes nothing.
+/// With a `range` below 1 and a small K_f it is a guard for couplings whose pressure keeps the phases apart on average,
+/// but not every particle. Where a film or a jet of water is stretched along a surface, its density stays constant
+/// while its particles approach the surface and finally sink in. In the scene of the sponge 0.7 spacings keep them out,
+/// at any K_f from 1e3 to 1e5 Pa with the same outcome. As a term of the fluid it does the same for the particles of
+/// such a film or jet, which approach each other across it and end in pairs. While particles are in order it changes
+/// nothing.
 ///
-/// Not with the full range for a contact that should be accurate: the gap it leaves is near the support radius (0.93 H
-/// in the paper's scene), it depends on K_f and H, and energy goes in and out of it in each impact. Not with a kernel
-/// whose slope vanishes at the centre: what has come through is held there.
+/// Not with the full range for an accurate contact: the gap it leaves is near the support radius (0.93 H in the paper's
+/// scene) and depends on K_f and H, and energy goes in and out of it in each impact. Not with a kernel whose slope
+/// vanishes at the centre: it would hold particles that have come through.
 ///
 /// Source: the paper, Eq. (24), with two slips mended: the printed sign attracts, and it belongs to the force, Eq.
 /// (23), not to the density, Eq. (22).
@@ -63,14 +63,14 @@ struct KernelRepulsion {
     Parameters parameters{};
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        // Pairs further apart than that are not looked at.
+        // Pairs further apart than that do not count.
         const double reach = parameters.range * 0.5 * (a.material.spacing + b.material.spacing);
         const auto pair = parameters.range > 0 ? ab.within(reach) : ab;
         return along(ab, -(parameters.stiffness * b[mass] / (a[density] * b[density])) * pair.gradient(Kernel{}));
     }
 
-    /// Throws Error for a range within a solid that reaches the neighbours which a particle has in the body itself:
-    /// they would be pushed apart for good. @param owner a phase or coupling, @param where its name in the message
+    /// Throws Error for a range within a solid that includes a particle's neighbours in the body itself: they would be
+    /// pushed apart permanently. @param owner a phase or coupling, @param where its name in the message
     static void check(const auto& owner, std::string_view where) {
         if constexpr (requires { owner.shear_modulus; }) {
             const Parameters& set = owner.coefficients.template get<Parameters>();
@@ -102,13 +102,13 @@ struct KernelRepulsion {
     static constexpr bool limit_by_nearest = true;
     /// 2 sqrt(m/k), s, with the reduced mass m of a pair and its greatest stiffness k during an impact.
     ///
-    /// The potential of a pair is K_f V_a V_b W. A particle of the heavier phase with the two phases' greatest speeds
-    /// together, which is already as near as the nearest pair, penetrates until W has taken its energy; k is the
-    /// largest K_f V_a V_b |d2W/dr2| on the way from the rim. For Spiky in 3D and a pair that comes from afar this is
-    /// k = 90 K_f V_a V_b delta/(pi H^6) with the penetration delta = H (pi H^3 m v^2/(30 K_f V_a V_b))^(1/3) <= H.
-    /// Infinite where nothing moves and nothing is in reach. A particle that rests on several at once is held by all of
-    /// them: water on a soft solid with K_f = 1e8 Pa bears half of this (longest_stable_step), which is still more than
-    /// the default CFL number takes.
+    /// The potential of a pair is K_f V_a V_b W. A particle of the heavier phase with the sum of the two phases'
+    /// greatest speeds, starting as near as the nearest pair, penetrates until W has taken up its energy; k is the
+    /// largest K_f V_a V_b |d2W/dr2| on the way from the rim. For Spiky in 3D and a pair that comes from afar this is k
+    /// = 90 K_f V_a V_b delta/(pi H^6) with the penetration delta = H (pi H^3 m v^2/(30 K_f V_a V_b))^(1/3) <= H.
+    /// Infinite if nothing moves and nothing is in reach. A particle in contact with several others is held by all of
+    /// them: water on a soft solid with K_f = 1e8 Pa bears half of this (longest_stable_step), still more than the
+    /// default CFL number takes.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                                   const Parameters& parameters) {
         const double volume_a = std::pow(in.spacing, in.dimension), mass_a = material_a.density * volume_a;
@@ -123,13 +123,13 @@ struct KernelRepulsion {
     }
 
 private:
-    // How far it reaches between particles of the first phase and others `other_spacing` apart, m.
+    // The range between particles of the first phase and others `other_spacing` apart, m.
     static double reach_of(const TimeStepInput& in, double other_spacing, const Parameters& parameters) {
         const double own = parameters.range * 0.5 * (in.spacing + other_spacing);
         return own > 0 ? std::min(own, in.support_radius) : in.support_radius;
     }
 
-    // What the kernel's shape w(q) is multiplied with in the potential of a pair, J.
+    // The factor of the kernel's shape w(q) in the potential of a pair, J.
     static double energy_scale(double volume_a, double volume_b, double reach, int dimension,
                                const Parameters& parameters) {
         const double normalisation =

@@ -1,4 +1,4 @@
-// Fluid pressure on the surface of a solid: the force acts along the normal of the surface.
+// Fluid pressure on the surface of a solid, along the surface normal.
 //
 //   struct Sponge  : Solid<..., ReferenceSurfaceNormal<>, ...> {};      // total Lagrangian; SurfaceNormal<> for others
 //   struct Contact : Coupling<Water, Sponge, SurfaceNormalPressure<>, Into<Water, VolumeContinuity<WendlandC2>>> {};
@@ -24,8 +24,8 @@ inline constexpr SurfaceNormalField surface_normal{};
 
 namespace detail {
 
-// A vector along `direction`, of unit length where the sum of the kernel gradients is at least 0.3/H, of zero length
-// where it is below 0.1/H: there it is noise.
+// A vector along `direction`, of unit length if the sum of the kernel gradients is at least 0.3/H, of zero length if it
+// is below 0.1/H, where it is noise.
 template <class V>
 IMBIBE_INLINE constexpr V trusted_normal(const V& direction, const V& sum, double support_radius) {
     using T = typename V::Scalar;
@@ -38,10 +38,9 @@ IMBIBE_INLINE constexpr V trusted_normal(const V& direction, const V& sum, doubl
 /// n_a = N_a/|N_a|, N_a = - sum_b V_b grad_a W_ab over the solid's own particles where they are now, V = m/rho; zero
 /// where |N_a| is small (inside).
 ///
-/// A term of an updated-Lagrangian solid, which moves its neighbours anyway. At an edge it points between the two
-/// faces.
+/// A term of an updated-Lagrangian solid, whose neighbours change anyway. At an edge it points between the two faces.
 ///
-/// Not for a solid of single particles or of one layer: it has no inside.
+/// Not for a solid of single particles or of one layer: it has no interior.
 ///
 /// Source: Antoci, Gallati and Sibilla (2007), the normal from the gradient of the kernel sum.
 template <class Kernel = WendlandC2>
@@ -71,7 +70,7 @@ struct SurfaceNormal {
 ///
 /// A term of a total-Lagrangian solid. At an edge it points between the two faces.
 ///
-/// Not for a solid of single particles or of one layer: it has no inside.
+/// Not for a solid of single particles or of one layer: it has no interior.
 ///
 /// Source: as SurfaceNormal; how a normal deforms: Nanson's formula, any textbook of continuum mechanics.
 template <class Kernel = WendlandC2>
@@ -105,21 +104,21 @@ struct ReferenceSurfaceNormal {
 /// force of every pair with a surface particle only the part along the normal is left; deeper particles, which have no
 /// normal, are pushed along the line of centres.
 ///
-/// 2 sum_f V_f p_f grad_s W is the SPH sum of the fluid's pressure over the surface, and its 2 makes up for the half of
-/// the kernel that lies in the solid: what the solid receives in all is pressure times area. Only the fluid's own
-/// pressure enters: the solid needs none, and no PressureExtrapolation.
+/// 2 sum_f V_f p_f grad_s W is the SPH sum of the fluid's pressure over the surface; the factor 2 makes up for the half
+/// of the kernel that lies in the solid, so the total force is pressure times area. It uses only the fluid's pressure:
+/// the solid needs none, and no PressureExtrapolation.
 ///
-/// For couplings of a fluid and a solid with a smooth surface: water slides along it without feeling its particles.
-/// The force of a pair is equal and opposite, to the last bit where the masses are equal. Half a metre of water on a
-/// soft plate: the plate hung down 0.9 % less than under the same weight without water (PressureExtrapolation: 0.5 %).
+/// For couplings of a fluid and a solid with a smooth surface: water slides along it without feeling its particles. The
+/// force of a pair is equal and opposite, to the last bit where the masses are equal. With half a metre of water on a
+/// soft plate, the plate sags 0.9 % less than under the same weight without water (PressureExtrapolation: 0.5 %).
 ///
-/// Not where angular momentum must be kept to round-off: the force of a pair is not central. Not where the weight of
-/// one layer of particles counts: the pressure at the surface is that of the fluid's particles, half a spacing off.
-/// Where the pressure is negative the solid is pulled. A guard against single particles that sink in, KernelRepulsion
-/// with a range below one spacing, may stand beside it.
+/// Not where angular momentum must be conserved to round-off: the force of a pair is not central. Not where the weight
+/// of one layer of particles matters: the pressure at the surface is that of the fluid's particles, half a spacing off.
+/// A negative pressure pulls the solid. KernelRepulsion with a range below one spacing may stand beside it, as a guard
+/// against single particles that sink in.
 ///
 /// Source: Antoci, Gallati and Sibilla (2007): an SPH sum for the surface integral of the fluid's pressure, along
-/// normals from the kernel. Pair by pair in this form, and with n_s fading inside: own.
+/// normals from the kernel. This pairwise form, with n_s fading inside: own.
 template <class Kernel = WendlandC2>
 struct SurfaceNormalPressure {
     using effect = effects::pressure_force;

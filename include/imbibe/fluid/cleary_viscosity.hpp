@@ -7,7 +7,7 @@ namespace imbibe {
 
 namespace detail {
 
-// 2 eta_a eta_b/(eta_a + eta_b) as the two meet in a pair, Pa s; 0 where one of them is.
+// 2 eta_a eta_b/(eta_a + eta_b) of a pair, Pa s; 0 if either is 0.
 constexpr double harmonic_viscosity(const auto& material_a, const auto& material_b) {
     const double given = shown_viscosity(material_a, 0.0), eta_b = shown_viscosity(material_b, given);
     const double eta_a = shown_viscosity(material_a, eta_b);
@@ -21,8 +21,8 @@ constexpr double harmonic_viscosity(const auto& material_a, const auto& material
 ///
 /// The force of the pair is along the line of centres, equal and opposite, to the last bit where the masses are equal:
 /// linear and angular momentum are conserved. The harmonic mean lets the shear stress pass an interface between fluids
-/// unchanged. A solid, and a wall without a viscosity of its own, shows the fluid's, and sticks to it.
-/// For flows that turn (the square patch, vortices, drops) and free surfaces, where it is consistent with no stress
+/// unchanged. A solid, or a wall without a viscosity of its own, takes the fluid's, and the fluid sticks to it. For
+/// flows with rotation (the square patch, vortices, drops) and free surfaces, where it is consistent with zero stress
 /// (Colagrossi, Antuono, Souto-Iglesias and Le Touze 2011).
 ///
 /// Not where div v matters: its limit is eta (Laplacian v + 2 grad div v)/rho. Not for particles that stay on a lattice

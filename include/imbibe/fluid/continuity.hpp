@@ -13,8 +13,8 @@ namespace imbibe {
 /// of the density by summation; it needs no special care at a free surface.
 /// `velocity_field` is the velocity that the density follows: `velocity`, or `smoothed_velocity` with Xsph.
 ///
-/// Not across phases with different densities or particle volumes: there it counts a light neighbour's approach too
-/// little and a heavy one's too much; see VolumeContinuity. The paper, Eq. (22), does use it there.
+/// Not across phases with different densities or particle volumes: there it underrates the approach of a light
+/// neighbour and overrates that of a heavy one; see VolumeContinuity. The paper, Eq. (22), does use it there.
 ///
 /// Source: Monaghan (1994); the paper, Eqs. (11) and (22).
 template <class Kernel, auto velocity_field = velocity>
@@ -36,11 +36,11 @@ struct Continuity {
 
 /// drho_a/dt = rho_a sum_b (m_b/rho_b) (v_a - v_b) . grad_a W_ab, in kg/m^3/s.
 ///
-/// The rate of compression as seen by volumes: what the neighbour's volume sweeps counts, not what it weighs. The
-/// form for couplings, where densities and particle volumes differ, and for fluids with a jump of the density.
+/// The rate of compression by volumes: it counts the volume that the neighbour sweeps, not its mass. The form for
+/// couplings, where densities and particle volumes differ, and for fluids with a density jump.
 ///
 /// Volumes are those of Volume, which VolumePressure and DensityDiffusion share. In a coupling under `Into<Water, ...>`
-/// the other phase needs its own from somewhere: from VolumePressure without `Into`, or from Volume among its terms.
+/// the other phase needs a volume too: from VolumePressure without `Into`, or from Volume among its terms.
 ///
 /// Not where the density must stay the sum of the masses around a particle to the last digit: over a long run this
 /// form drifts from it. Not beside SymmetricPressure between phases whose densities differ by more than a factor of two

@@ -1,5 +1,5 @@
-// The terms of a fluid whose kernel gradients are corrected: continuity, pressure and viscosity that stay accurate
-// where particles lie in disorder, have few neighbours, or are at a free surface.
+// The terms of a fluid with corrected kernel gradients: continuity, pressure and viscosity that stay accurate for
+// disordered particles, few neighbours and free surfaces.
 #pragma once
 
 #include <imbibe/fluid/gradient_correction.hpp>
@@ -35,7 +35,7 @@ requires requires {
 }
 inline constexpr bool corrects_gradients<Particle> = any_corrects<typename Particle::Material::terms>;
 
-// L of a particle as it counts in a pair: its own or, where its phase has none (a wall, a solid), that of the other.
+// L of a particle in a pair: its own, or that of the other if its phase has none (a wall, a solid).
 template <class Particle, class Other>
 IMBIBE_INLINE constexpr auto shown_correction(const Particle& particle, const Other& other) {
     if constexpr (corrects_gradients<Other> && !corrects_gradients<Particle>)
@@ -66,17 +66,17 @@ inline constexpr RawStrainRate raw_strain_rate{};
 /// wherever L is the full inverse. It is computed as - rho L:E from the raw rate of strain E, so that L and the sums E
 /// take one sweep.
 ///
-/// In the fluid, together with CorrectedPressure. In its couplings CorrectionNeighbours `Into` the fluid, which is
-/// checked, and `Into` it this term or VolumeContinuity, which keeps a film off the wall for longer.
+/// Use it in the fluid, together with CorrectedPressure. Its couplings need CorrectionNeighbours `Into` the fluid,
+/// which is checked, and `Into` the fluid this term or VolumeContinuity, which keeps a film off the wall for longer.
 ///
 /// Not where the density must stay the sum of the masses around a particle: over a long run in a closed box it drifts
-/// from it, by per mille or, with a pressure added to all of the water, by much (docs/validation.md, cavity).
+/// from it, by per mille or, with a background pressure in all of the water, by much (docs/validation.md, cavity).
 ///
 /// Source: Randles and Libersky (1996); Bonet and Lok (1999).
 template <class Kernel = WendlandC2>
 struct CorrectedContinuity {
     using effect = effects::continuity_equation;
-    /// A wall that counts in the one sum and not in the other would throw water off.
+    /// A wall that counts in one sum and not in the other would throw water off.
     using beside_in_couplings = CorrectionNeighbours<Kernel>;
     using corrected_kernel = Kernel;
     struct Sum {
@@ -108,19 +108,19 @@ struct CorrectedContinuity {
 /// dv_a/dt = - 1/m_a sum_b V_a V_b (p_a L_a + p_b L_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho and L of
 /// CurrentCorrection, which must stand beside it.
 ///
-/// The force that does as much work as CorrectedContinuity counts compression (virtual work), so energy is lost to no
-/// one. Forces of a pair are equal and opposite, to the last bit where the masses are equal; they are not along the
-/// line of centres, and angular momentum is conserved nevertheless, where L is the full inverse.
+/// The force that does as much work as CorrectedContinuity counts compression (virtual work), so energy is conserved.
+/// Forces of a pair are equal and opposite, to the last bit where the masses are equal. They are not along the line of
+/// centres, but angular momentum is conserved where L is the full inverse.
 ///
 /// For waves and vortices that are to keep their energy (docs/validation.md, standing-wave; docs/accuracy.md). In a
 /// coupling a wall or a solid shows the fluid's L, and its pressure is that of PressureExtrapolation: `Coupling<Water,
 /// Wall, Into<Water, CorrectionNeighbours<>>, Into<Water, CorrectedContinuity<>>, Into<Wall, PressureExtrapolation<>>,
 /// CorrectedPressure<>>`.
 ///
-/// Not without something that keeps particles in order, as VolumePressure's own errors do: ParticleShifting where the
-/// flow stretches them, and where pressures fall below zero 3 spacings of support. Not for splashes: a film that runs
-/// out over a wall sinks into it, because what is lost in height and won in length cancels out, however few particles
-/// carry the film; with VolumePressure and VolumeContinuity in the coupling it does so later. A Guard sees it.
+/// Not without something that keeps particles in order, as the errors of VolumePressure do: use ParticleShifting where
+/// the flow stretches them, and 3 spacings of support where pressures fall below zero. Not for splashes: a film that
+/// runs out over a wall sinks into it, because the loss in height and the gain in length cancel, however few particles
+/// carry the film; with VolumePressure and VolumeContinuity in the coupling it does so later. A Guard detects it.
 ///
 /// Source: Bonet and Lok (1999), the form that follows from virtual work. With p_a L_b + p_b L_a in its place (Zhang,
 /// Zhu and Hu 2024) energy and angular momentum are not conserved.
@@ -151,7 +151,8 @@ struct CorrectedPressure {
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return acoustic_time_step(material, in) / std::cbrt(1 + 1.4 * (std::max(in.greatest, 1.0) - 1));
     }
-    /// Between two phases that of VolumePressure, s: what is light is pushed to and fro, whose continuity it may be.
+    /// Between two phases the limit of VolumePressure, s: the lighter side oscillates, and its continuity may be
+    /// another one.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
         return interface_time_step(material_a, material_b, in);
     }
@@ -163,11 +164,11 @@ struct CorrectedPressure {
 /// MorrisViscosity without the error of its lattice sum: on a lattice of any kernel and support it is exact for
 /// velocities that are quadratic in space. At walls it sees the wall's velocity; for no-slip CorrectedNoSlipViscosity.
 ///
-/// Not at a free surface, where it counts the missing neighbours as if they moved along: ClearyViscosity knows what
-/// that is. Not where angular momentum must be conserved exactly.
+/// Not at a free surface, where it treats the missing neighbours as if they moved along; ClearyViscosity is correct
+/// there. Not where angular momentum must be conserved exactly.
 ///
-/// Source: Morris, Fox and Zhu (1997), Eq. (22), with the correction of Bonet and Lok (1999); that the second moments
-/// are those of the gradients' correction is own.
+/// Source: Morris, Fox and Zhu (1997), Eq. (22), with the correction of Bonet and Lok (1999). Own: that its second
+/// moments are those of the gradients' correction.
 template <class Kernel = WendlandC2>
 struct CorrectedViscosity {
     using effect = effects::viscous_force;

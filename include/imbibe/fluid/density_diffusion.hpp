@@ -1,4 +1,4 @@
-// Density diffusion (delta-SPH): takes the checkerboard out of the pressure of a weakly compressible fluid.
+// Density diffusion (delta-SPH): removes the checkerboard from the pressure of a weakly compressible fluid.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -25,8 +25,8 @@ struct DensityDiffusionParameters {
 /// mean s_ab of the two particles' supported_share. (x_b - x_a).grad_a W_ab is positive, so a particle lighter than its
 /// neighbours becomes heavier: it smooths.
 /// The subtracted part is the density difference of the fluid at rest, linear in g.x: exact for LinearState, and for
-/// Tait up to the square of g depth/c^2. Without it a column of water slowly swells at its surface. It acts as far as
-/// the water is borne (SupportedShare): in free fall, where nothing is, no pressure arises.
+/// Tait up to the square of g depth/c^2. Without it a column of water slowly swells at its surface. It is weighted with
+/// the supported share (SupportedShare): in free fall there is no hydrostatic pressure.
 ///
 /// For one fluid, beside Continuity or VolumeContinuity. What one particle gains the other loses (V_a drho_a
 /// is antisymmetric), so the mean density weighted with volume does not drift.
@@ -34,8 +34,7 @@ struct DensityDiffusionParameters {
 /// Not in a coupling: across an interface, and towards a wall, densities differ for good reason. Not a substitute for
 /// viscosity: it damps sound, not motion. Not in creeping flow: with it the narrow pore of
 /// cases/validation/one_pore.hpp has a tenth less resistance (docs/validation.md). In a tank that is accelerated
-/// sideways, gravity is not all that acts: there AntuonoDiffusion, or the acceleration as part of gravity
-/// (Solver::set_gravity).
+/// sideways, take AntuonoDiffusion, or pass the acceleration as part of gravity (Solver::set_gravity).
 ///
 /// Source: Molteni and Colagrossi (2009); hydrostatic part: Fourtakas et al. (2019), here linearised; s_ab is own.
 template <class Kernel = WendlandC2>

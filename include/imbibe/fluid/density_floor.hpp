@@ -8,10 +8,11 @@ namespace imbibe {
 
 /// Coefficients of DensityFloor.
 struct DensityFloorParameters {
-    /// How fast a lack of density is made up, in units of c/spacing. 1 fills it within about one step of sound over a
-    /// particle; below about 0.1 tension is hardly relieved.
+    /// How fast missing density is restored, in units of c/spacing. 1 restores it within about the time that sound
+    /// takes to cross a particle; below about 0.1 tension is hardly relieved.
     double rate = 1;
-    /// How far below the density at rest it begins, as a share of it: the liquid bears a tension of slack rho_0 c^2.
+    /// How far below the reference density the floor lies, as a share of it: the liquid bears a tension of slack rho_0
+    /// c^2.
     double slack = 0;
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message
@@ -29,12 +30,13 @@ struct DensityFloorParameters {
 /// density of a particle below the reference density back to it within the time that sound takes to cross a particle:
 /// the pressure then does not fall below about -rho_0 c (slack c + spacing div v).
 ///
-/// To be used together with walls that do not pull (PressureExtrapolation with `suction = false`; with a slack also
-/// VolumePressure with Tension::none there, or single drops hang at them). Never those walls without this floor: the water then swells (down to half its density in the scene of the paper).
+/// Use it together with walls that do not pull (PressureExtrapolation with `suction = false`; with a slack also
+/// VolumePressure with Tension::none there, or single drops stick to them). Never use those walls without this floor:
+/// the water then swells (down to half its density in the scene of the paper).
 ///
-/// Not for flows that live on tension or suction (a siphon, a wake in a closed channel without background pressure):
-/// it lets them open, unless the slack bears them. Mass is conserved, the volume m/rho of water that opens and closes
-/// again is not exactly.
+/// Not for flows that need tension or suction (a siphon, a wake in a closed channel without background pressure): it
+/// lets voids open, unless the slack bears the tension. Mass is conserved; the volume m/rho of water that opens and
+/// closes again is conserved only approximately.
 ///
 /// Source: own; a floor on the density at free surfaces is common practice, here in the form of a rate, so that it
 /// needs nothing from the integrator.
@@ -52,7 +54,7 @@ struct DensityFloor {
 
     static constexpr const char* limit_name = "density floor";
     /// 2 spacing/(rate c), s: after a longer step the density would be further above the floor than it was below. That
-    /// would not be unstable, but noise.
+    /// would not be unstable, but noisy.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         return 2 * in.spacing / max(parameters.rate * material.sound_speed, 1e-30);
     }

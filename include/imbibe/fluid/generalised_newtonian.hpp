@@ -10,7 +10,7 @@
 
 namespace imbibe {
 
-/// sum_b V_b sym((v_b - v_a) (x) grad_a W_ab), 1/s: the rate of strain that decides the viscosity.
+/// sum_b V_b sym((v_b - v_a) (x) grad_a W_ab), 1/s: the rate of strain that sets the viscosity.
 struct StrainRate : Field<Rank::symmetric_tensor> {
     static constexpr std::string_view name = "strain_rate", unit = "1/s";
 };
@@ -26,10 +26,10 @@ inline constexpr ApparentViscosity apparent_viscosity{};
 /// Coefficients of Carreau.
 struct CarreauParameters {
     double at_rest = 0;    ///< eta_0, Pa s: the viscosity without shear
-    double fast = 0;       ///< eta_inf, Pa s: the viscosity that fast shear leaves
+    double fast = 0;       ///< eta_inf, Pa s: the limit of the viscosity at high shear rates
     double time = 0;       ///< lambda, s: rates above 1/lambda thin the liquid
     double exponent = 1;   ///< n: the viscosity falls as the rate to the power n - 1
-    double transition = 2; ///< a: how sharply the one goes over to the other (Yasuda); 2 is Carreau's
+    double transition = 2; ///< a: how sharp the transition is (Yasuda); 2 is Carreau's
 
     /// Throws Error for a number out of range. @param where the phase in the message
     void check(std::string_view where) const {
@@ -48,7 +48,7 @@ struct CarreauParameters {
 ///
 /// For polymer solutions and blood (in blood eta_0 = 0.056, eta_inf = 0.00345 Pa s, lambda = 3.313 s, n = 0.3568).
 ///
-/// Not for what bears a stress without flowing: HerschelBulkley.
+/// Not for liquids with a yield stress: HerschelBulkley.
 ///
 /// Source: Carreau (1972); with a, Yasuda, Armstrong and Cohen (1981); the numbers of blood, Cho and Kensey (1991).
 struct Carreau {
@@ -69,7 +69,7 @@ struct HerschelBulkleyParameters {
     /// m, s: how sharply it yields. At rest the viscosity is tau_0 m, which limits the time step; m gamma >> 1 where
     /// the liquid flows.
     double sharpness = 0;
-    /// The rate, 1/s, below which the power of the rate stays what it is there. With n < 1 it is infinite at 0.
+    /// The rate, 1/s, below which the power-law viscosity is held constant. With n < 1 it would be infinite at 0.
     double least_rate = 1e-3;
 
     /// Throws Error for a number out of range. @param where the phase in the message
@@ -95,7 +95,7 @@ struct HerschelBulkleyParameters {
 ///
 /// Power-law liquids, Bingham's (n = 1) and pastes with both.
 ///
-/// Not for what is to stand still for long: what has not yielded creeps, with the viscosity tau_0 m.
+/// Not for a paste that must stand still for long: unyielded material creeps, with the viscosity tau_0 m.
 ///
 /// Source: Herschel and Bulkley (1926), regularised by Papanastasiou (1987).
 struct HerschelBulkley {
@@ -127,11 +127,11 @@ struct GreatestViscosity {
 /// E_a = sum_b V_b sym((v_b - v_a) (x) grad_a W_ab). A pair takes the harmonic mean, for its layers are sheared by one
 /// stress; with the arithmetic one a paste that yields flows too slowly.
 ///
-/// In the fluid in place of another viscosity; the material's own `viscosity` is not looked at. A wall to which the
-/// liquid sticks takes `Into<Wall, NoSlipVelocity<K>>, Into<Liquid, NoSlipStrainRate<K>>, NoSlipApparentViscosity<K>`.
+/// In the fluid in place of another viscosity; the material's own `viscosity` is ignored. A no-slip wall takes
+/// `Into<Wall, NoSlipVelocity<K>>, Into<Liquid, NoSlipStrainRate<K>>, NoSlipApparentViscosity<K>`.
 ///
-/// Not at a free surface where its viscosity counts: E is summed over the neighbours there are, and is too small by up
-/// to a half.
+/// Not at a free surface if the viscosity there matters: E is summed over the existing neighbours only, and is up to a
+/// half too small.
 ///
 /// Source: Morris, Fox and Zhu (1997), Eq. (22); the harmonic mean, Cleary and Monaghan (1999); for such liquids Shao
 /// and Lo (2003).
@@ -173,7 +173,8 @@ struct GeneralisedNewtonianViscosity {
 
     static constexpr const char* limit_name = "viscous diffusion";
     using reductions = Parts<GreatestViscosity>;
-    /// That of MorrisViscosity with the greatest viscosity of any particle, before the first step that at rest, s.
+    /// The limit of MorrisViscosity with the greatest viscosity of any particle (before the first step, that at rest),
+    /// s.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double eta = in.greatest > 0 ? in.greatest : Law::viscosity(parameters, 0.0);
         return detail::pairwise_diffusion_limit<Kernel>(eta / material.density, in);

@@ -29,10 +29,10 @@ struct CurrentCorrectionParameters {
 };
 
 /// The sum over neighbours of CurrentCorrection: M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab, without unit. A part of
-/// it, and a term of its own for couplings: `Into<Water, CorrectionNeighbours<>>` makes the particles of a wall or a
-/// solid, which needs its own Volume, count as neighbours. Without that gradients are corrected as if the wall were a
-/// free surface.
-/// Not in a phase, whose CurrentCorrection has it already.
+/// CurrentCorrection, and a term of its own for couplings: `Into<Water, CorrectionNeighbours<>>` makes the particles of
+/// a wall or a solid, which needs its own Volume, count as neighbours. Without it gradients are corrected as if the
+/// wall were a free surface.
+/// Not in a phase: its CurrentCorrection has it already.
 ///
 /// Source: Bonet and Lok (1999), whose correction is the inverse of it; see CurrentCorrection.
 template <class Kernel = WendlandC2>
@@ -50,14 +50,14 @@ struct CorrectionNeighbours {
     using parts = Parts<Volume, Sum>;
 };
 
-/// L_a = M_a^-1, without unit, from M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab with where the particles are now.
-/// L_a times the gradient sum_b V_b (f_b - f_a) grad_a W_ab is then exact for a field f that is linear, also at a free
-/// surface and beside a wall that does not count.
+/// L_a = M_a^-1, without unit, from M_a = sum_b V_b (x_b - x_a) (x) grad_a W_ab with the present positions. L_a times
+/// the gradient sum_b V_b (f_b - f_a) grad_a W_ab is then exact for a linear field f, also at a free surface and beside
+/// a wall that does not count.
 ///
-/// In every step, beside terms that correct a gradient: in a fluid AntuonoDiffusion, CorrectedContinuity,
-/// CorrectedPressure, CorrectedViscosity, in a solid with a stress rate CorrectedContinuity, CorrectedVelocityGradient,
-/// CorrectedStressForce. Where a particle has not neighbours in all directions (single drops, threads)
-/// M cannot be inverted, and L goes over to the identity. In a coupling, CorrectionNeighbours.
+/// Evaluated in every step, beside terms that correct a gradient: in a fluid AntuonoDiffusion, CorrectedContinuity,
+/// CorrectedPressure, CorrectedViscosity; in a solid with a stress rate CorrectedContinuity, CorrectedVelocityGradient,
+/// CorrectedStressForce. For a particle without neighbours in all directions (single drops, threads) M cannot be
+/// inverted, and L goes over to the identity. In a coupling, use CorrectionNeighbours.
 ///
 /// Not for a total-Lagrangian solid: that takes ReferenceCorrection, which is computed once.
 ///
@@ -95,7 +95,7 @@ struct InnerCorrectionParameters {
     }
 };
 
-/// What InnerCorrection computes of the lattice.
+/// What InnerCorrection prepares from the lattice.
 struct PreparedInnerCorrection {
     double full_above = 0.69, none_below = 0.62; ///< for 1/|M^-1| itself
 };
@@ -103,15 +103,15 @@ struct PreparedInnerCorrection {
 /// L_a = 1 + t_a (M_a^-1 - 1), without unit, with M of CurrentCorrection and t_a = 1 inside the fluid and 0 at its free
 /// surface; sets the surface indicator, 1 - t_a, too.
 ///
-/// Where particles are sheared out of their lattice M is not the identity, and a pressure p that all of the fluid is
-/// under resists the shear as a solid of up to 0.07 p would. The correction takes that away. At a free surface, where
-/// the pressure is small and the inverse is large, terms stay as they are without a correction: films and drops keep
-/// off walls, and no limit on the time step depends on L.
+/// Where particles are sheared out of their lattice, M is not the identity, and a uniform pressure p resists the shear
+/// like a solid of shear modulus up to 0.07 p. The correction removes this. At a free surface, where the pressure is
+/// small and the inverse large, terms stay uncorrected: films and drops keep off walls, and no time step limit depends
+/// on L.
 ///
-/// Instead of CurrentCorrection, beside CorrectedContinuity and CorrectedPressure, with StrainShifting or
-/// ParticleShifting. In a coupling, CorrectionNeighbours `Into` the fluid: a wall is no free surface.
+/// Use it instead of CurrentCorrection, beside CorrectedContinuity and CorrectedPressure, with StrainShifting or
+/// ParticleShifting. In a coupling, use CorrectionNeighbours `Into` the fluid: a wall is no free surface.
 ///
-/// Not for gradients that are to be exact at the free surface.
+/// Not where gradients must be exact at the free surface.
 ///
 /// Source: the inverse, Randles and Libersky (1996), Bonet and Lok (1999); the stress -p M of the pair force and its
 /// gate are own.
@@ -173,14 +173,13 @@ struct AntuonoDiffusionParameters {
 /// in kg/m^3/s, with h = H/2, the sound speed c, and the corrected gradient G_a = L_a sum_b V_b (rho_b - rho_a) grad_a
 /// W_ab with L of CurrentCorrection, which must stand beside it: `CurrentCorrection<K>, AntuonoDiffusion<K>`.
 ///
-/// What is linear in space is left alone, also at the free surface: no pressure gradient, hydrostatic or not, is
-/// smoothed away, in a tank at rest or accelerated. Conserves the mean density weighted with volume, as
-/// DensityDiffusion does, of which this is the version for flows where gravity is not all that acts. It costs one more
-/// sweep.
+/// A density that is linear in space is left alone, also at the free surface: no pressure gradient, hydrostatic or not,
+/// is smoothed away, in a tank at rest or accelerated. Conserves the volume-weighted mean density, as DensityDiffusion
+/// does. Use it instead of DensityDiffusion where gravity is not the only acceleration. It costs one more sweep.
 ///
 /// Not in a coupling: across an interface densities differ for good reason. Not for a fluid of two densities. Not where
 /// walls or solids count in L (CorrectionNeighbours in a coupling): its gradient is summed over the fluid alone, and
-/// would be half of what it is beside a wall.
+/// would be half its true value beside a wall.
 ///
 /// Source: Antuono, Colagrossi, Marrone and Molteni (2010).
 template <class Kernel = WendlandC2>
@@ -188,7 +187,7 @@ struct AntuonoDiffusion {
     using effect = effects::density_diffusion;
     using corrected_kernel = Kernel;
     static constexpr bool within_phases = true;
-    /// Its gradient knows nothing of walls that count in the correction.
+    /// Its gradient ignores walls that count in the correction.
     using never_in_couplings = CorrectionNeighbours<Kernel>;
     using Parameters = AntuonoDiffusionParameters;
 
@@ -224,7 +223,8 @@ struct AntuonoDiffusion {
     using parts = Parts<Volume, Sum, Correct, Smooth>;
 
     static constexpr const char* limit_name = DensityDiffusion<Kernel>::limit_name;
-    /// That of DensityDiffusion, s: what decays fastest, from particle to particle, has no linear part to take out.
+    /// The limit of DensityDiffusion, s: the fastest-decaying mode, from particle to particle, has no linear part to
+    /// subtract.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         return DensityDiffusion<Kernel>::time_step_limit(material, in, {.delta = parameters.delta});
     }

@@ -1,4 +1,4 @@
-// Drags between particles that may be as stiff as they like: what one loses the other gains, and no step is too long.
+// Drags between particles of any stiffness: equal and opposite, without a limit on the time step.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -15,7 +15,7 @@ IMBIBE_INLINE constexpr auto expected_velocity(const auto& a, double time_step) 
         return a[velocity];
 }
 
-// The drag_rate with which a particle gives way, 1/s: 0 of a wall and of what is held.
+// The drag_rate of a particle that the drag moves, 1/s; 0 for a wall and for held particles.
 IMBIBE_INLINE constexpr auto yielding_rate(const auto& a) {
     if constexpr (std::remove_cvref_t<decltype(a)>::Material::moves)
         return a[mobility] * a[drag_rate];
@@ -23,7 +23,7 @@ IMBIBE_INLINE constexpr auto yielding_rate(const auto& a) {
         return 0.0;
 }
 
-// Is this a step? An integrator that wants accelerations before its first one asks for them with a step of 0, in which
+// Is this a step? An integrator that needs accelerations before its first step asks for them with a step of 0, in which
 // a stiff drag would be explicit.
 constexpr double in_a_step(double time_step) {
     return time_step > 0 ? 1 : 0;
@@ -39,7 +39,7 @@ constexpr double in_a_step(double time_step) {
 /// momentum is conserved. No wave of the velocities grows, however large K is: twice the sum of the weights of a
 /// particle is below 2/dt, which bounds all eigenvalues (Gershgorin). A pass without a step, dt = 0, has no drag.
 ///
-/// A wall, and what is held, keeps its velocity: L_b = 0.
+/// A wall or a held particle keeps its velocity: L_b = 0.
 ///
 /// `Law` has `Reads`, `Numbers` with the members of a part that hold its `parameters` and what it prepares, and
 /// `coefficient(numbers, a, b, ab)`: symmetric, 0 for the particle itself.

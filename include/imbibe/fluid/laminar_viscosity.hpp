@@ -11,8 +11,8 @@ namespace imbibe {
 
 namespace detail {
 
-// The dynamic viscosity of a pair of materials, Pa s, the same seen from either side. Where neither has one, a rule of
-// the scene says so (`needs_viscosity`).
+// The dynamic viscosity of a pair of materials, Pa s, the same from either side. If neither has one, a rule of the
+// scene reports it (`needs_viscosity`).
 template <class A, class B>
 constexpr double pair_viscosity(const A& a, const B& b) {
     constexpr bool a_has = requires {
@@ -37,18 +37,17 @@ constexpr double pair_viscosity(const A& a, const B& b) {
 
 /// dv_a/dt = 1/rho_a sum_b eta_ab (m_b/rho_b) (v_b - v_a) Laplacian W_ab, in m/s^2.
 ///
-/// eta_ab is the dynamic viscosity where both particles have the same; the one viscosity there is where the other
-/// phase, such as a solid, has none; and between two different ones the harmonic mean
-/// 2 eta_a eta_b/(eta_a + eta_b), which lets the shear stress pass an interface unchanged. So a wall with viscosity 0
-/// lets the fluid slip, and one with the fluid's viscosity holds it. eta_ab is the same from both sides: the force of
-/// the pair is equal and opposite, to the last bit where the masses are equal. In a Coupling this is the viscous part
-/// of the paper's Eqs. (23) and (25).
+/// eta_ab is the common dynamic viscosity if both particles have the same, the only one if the other phase, such as a
+/// solid, has none, and otherwise the harmonic mean 2 eta_a eta_b/(eta_a + eta_b), which lets the shear stress pass an
+/// interface unchanged. So the fluid slips along a wall with viscosity 0, and sticks to a wall with the fluid's
+/// viscosity. eta_ab is the same from both sides: the force of the pair is equal and opposite, to the last bit where
+/// the masses are equal. In a Coupling this is the viscous part of the paper's Eqs. (23) and (25).
 ///
-/// In two dimensions give it ViscosityKernel2D. A kernel whose Laplacian is negative anywhere must not be used: there
-/// it would feed motion instead of damping it.
+/// In two dimensions give it ViscosityKernel2D. The Laplacian of the kernel must not be negative anywhere: there the
+/// term would amplify motion.
 ///
-/// Not for accurate drag on coarse or disordered particles, where this form does not converge, and not where angular
-/// momentum must be kept: its forces are not central.
+/// Not for accurate drag on coarse or disordered particles, where this form does not converge. Not where angular
+/// momentum must be conserved: its forces are not central.
 ///
 /// Source: Mueller, Charypar and Gross (2003); the paper, Eq. (12), with two slips mended: there the velocity
 /// difference has the sign that amplifies motion, and 1/rho_b is missing.

@@ -1,4 +1,4 @@
-// Monaghan's artificial viscosity: damps what approaches, in fluids and in solids.
+// Monaghan's artificial viscosity: damps approaching pairs, in fluids and in solids.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -14,9 +14,9 @@ namespace imbibe {
 struct MonaghanViscosityParameters {
     /// Strength of the linear part (damping of sound). The usual value is 1 in solids, 0.01 to 0.1 in free flow.
     double alpha = 1;
-    /// Strength of the quadratic part, which keeps particles in strong shocks from passing through each other, and acts
-    /// on hardly anything else. The paper has none; the usual value for shocks is 2 alpha. In free flow that strikes,
-    /// 1 beside a small alpha keeps particles apart in impacts at up to 0.3 sound speeds (docs/stability.md).
+    /// Strength of the quadratic part, which keeps particles in strong shocks from passing through each other, and
+    /// hardly acts otherwise. The paper has none; the usual value for shocks is 2 alpha. In free-surface impacts, 1
+    /// beside a small alpha keeps particles apart at up to 0.3 sound speeds (docs/stability.md).
     double beta = 0;
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message
@@ -54,9 +54,9 @@ struct MonaghanViscosity {
     Parameters parameters{};
 
     IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-        // mu_ab = H approach/away where it is negative. H and the halves of the means are multiplied with the
-        // coefficients, which do not change from pair to pair, and all is over one denominator: two quotients take
-        // longer than all the rest. Its sum is multiplied out so that one more operand can come from memory.
+        // mu_ab = H approach/away if negative. H and the halves of the means are multiplied into the coefficients,
+        // which are constant over pairs, and everything has one denominator: two quotients take longer than all the
+        // rest. Its sum is expanded so that one more operand can come from memory.
         const auto H = ab.support_radius;
         const auto approach = negative_part(dot(a[velocity] - b[velocity], ab.offset));
         const auto away = squared_norm(ab.offset) + sq(0.1 * H);

@@ -10,8 +10,8 @@ namespace imbibe {
 
 namespace detail {
 
-// The viscosity that a material shows in a pair. A fluid shows its own. A solid, and a wall to which none was given,
-// show that of the fluid they touch.
+// The viscosity that a material has in a pair. A fluid has its own. A solid, and a wall without one, take that of the
+// fluid they touch.
 template <class Material>
 constexpr double shown_viscosity(const Material& material, double of_the_other) {
     if constexpr (!requires { material.viscosity; })
@@ -22,7 +22,7 @@ constexpr double shown_viscosity(const Material& material, double of_the_other) 
         return material.viscosity;
 }
 
-// eta_a + eta_b as they meet in a pair, Pa s.
+// eta_a + eta_b of a pair, Pa s.
 constexpr double viscosity_sum(const auto& material_a, const auto& material_b) {
     const double own = shown_viscosity(material_a, 0.0), other = shown_viscosity(material_b, own);
     return shown_viscosity(material_a, other) + other;
@@ -33,18 +33,17 @@ constexpr double viscosity_sum(const auto& material_a, const auto& material_b) {
 /// dv_a/dt = sum_b m_b (eta_a + eta_b)/(rho_a rho_b) (x_ab . grad_a W_ab)/|x_ab|^2 (v_a - v_b), in m/s^2, with the
 /// dynamic viscosity eta of the two materials.
 ///
-/// (x_ab . grad_a W_ab)/|x_ab|^2 is negative: the faster particle is slowed. Right for laminar flow in 2D and 3D
-/// (Poiseuille, Couette, pores), and across phases with different viscosity or density. Linear momentum is conserved
-/// to the last bit where the masses are equal.
+/// (x_ab . grad_a W_ab)/|x_ab|^2 is negative: the faster particle is slowed. For laminar flow in 2D and 3D (Poiseuille,
+/// Couette, pores), and across phases with different viscosity or density. Linear momentum is conserved to the last bit
+/// where the masses are equal.
 ///
-/// The original divides by |x_ab|^2 + 0.01 h^2 to stay finite. Here grad W = F x_ab and F itself is evaluated, which is
-/// finite; without the 0.01 h^2 the viscosity is not 1 to 2 % too low.
+/// The original divides by |x_ab|^2 + 0.01 h^2 to stay finite. Here grad W = F x_ab, and F itself is evaluated, which
+/// is finite. With the 0.01 h^2 the viscosity would be 1 to 2 % too low.
 ///
 /// Not where angular momentum must be conserved exactly (the force is not along the line of centres): MonaghanViscosity
-/// does. Not with a kernel whose slope does not vanish at the centre (Spiky). In a coupling with a wall it sees the
-/// wall's own velocity in every layer of it, where reflection would ask for the opposite of the liquid's: the drag is
-/// too weak, the liquid sticks roughly. For a wall to which it sticks to second order put
-/// `Into<Wall, NoSlipVelocity<>>, NoSlipViscosity<>` in its place.
+/// does. Not with a kernel whose slope does not vanish at the centre (Spiky). In a coupling with a wall every layer has
+/// the wall's own velocity, where reflection would need the opposite of the liquid's: the drag is too weak, and no-slip
+/// holds only roughly. For second-order no-slip take `Into<Wall, NoSlipVelocity<>>, NoSlipViscosity<>` in its place.
 ///
 /// Source: Morris, Fox and Zhu (1997), Eq. (22).
 template <class Kernel = WendlandC2>

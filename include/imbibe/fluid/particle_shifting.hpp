@@ -1,4 +1,4 @@
-// Particle shifting: moves the particles of a fluid a little from where they are many to where they are few.
+// Particle shifting: moves the particles of a fluid slightly from crowded to sparse regions.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -12,7 +12,7 @@
 
 namespace imbibe {
 
-/// sum_b V_b (1 + R (W_ab/W(spacing))^4) grad_a W_ab, 1/m: towards where particles are many. R is 0.2 in
+/// sum_b V_b (1 + R (W_ab/W(spacing))^4) grad_a W_ab, 1/m: points to where particles are crowded. R is 0.2 in
 /// ParticleShifting and 0 in StrainShifting.
 struct ConcentrationGradient : Field<Rank::vector> {
     static constexpr std::string_view name = "concentration_gradient", unit = "1/m";
@@ -37,7 +37,7 @@ struct ParticleShiftingParameters {
     double strength = 2;
     /// The greatest shifting velocity as a share of the particle's own speed.
     double most = 0.25;
-    /// The speed that counts where a particle's own is less, m/s.
+    /// The speed used where a particle's own is less, m/s.
     double least_speed = 0;
     /// The farthest a particle is shifted in one step, over H^3/spacing times the gradient of concentration. On a
     /// square lattice no wave of places overshoots and grows with up to 0.038 to 0.043 (WendlandC2 with supports of 2.6
@@ -63,14 +63,14 @@ struct ParticleShiftingParameters {
 };
 
 /// The sums over neighbours of ParticleShifting: the gradient of concentration, with R = 0.2, and the position
-/// divergence. A part of it, and a term of its own for couplings: `Into<Water, ShiftingNeighbours<>>` makes the
-/// particles of a wall or a solid count as neighbours. Without that a wall is taken for a free surface, beside which
-/// nothing is shifted.
+/// divergence. A part of ParticleShifting, and a term of its own for couplings: `Into<Water, ShiftingNeighbours<>>`
+/// makes the particles of a wall or a solid count as neighbours. Without it a wall is taken for a free surface, beside
+/// which nothing is shifted.
 ///
-/// Not where the density follows VolumeContinuity or Continuity: particles that are shifted off a wall all the time
+/// Not where the density follows VolumeContinuity or Continuity: particles that are continuously shifted off a wall
 /// make the fluid flow towards it, and its density rises, in a closed cavity by 20 % until t = 15, while the flow loses
 /// half of its speed. With SummationDensity, with SummationRelaxation beside the continuity equation, and with
-/// corrected gradients, it belongs there (docs/validation.md, cavity).
+/// corrected gradients, use it (docs/validation.md, cavity).
 ///
 /// Source: Monaghan (2000) for the factor; see ParticleShifting.
 template <class Kernel = WendlandC2>
@@ -102,9 +102,10 @@ struct ShiftingNeighbours {
 /// where chi is 1 for particles whose position divergence, sum_b V_b (x_b - x_a).grad W_ab, is below 0.75 dim, and 0
 /// above 0.85 dim. So it is off in the first two layers, and weaker in the third.
 ///
-/// The shifted particle takes its velocity and density along. Mass and momentum are conserved exactly, energy and
-/// angular momentum are not, by the order of |delta v|/|v| times the change of velocity over H. So not for long runs
-/// without viscosity; and where velocities are to be right in vortices of little, TransportAdvection beside it.
+/// The shifted particle takes its velocity and density along. Mass and momentum are conserved exactly; energy and
+/// angular momentum are not, with an error of the order of |delta v|/|v| times the change of velocity over H. So not
+/// for long runs without viscosity; for accurate velocities in vortices of low viscosity, use TransportAdvection beside
+/// it.
 /// Not where things are at rest or where only differences of velocity count: the speed is that in the frame of the
 /// scene. Not beside XsphTransport. In a flow between walls see ShiftingNeighbours.
 /// Not from a perfect lattice with the coefficients as they are: it has no gradient of concentration until its rows

@@ -1,5 +1,5 @@
-// The low-dissipation Riemann scheme of a weakly compressible fluid: between two particles pressure and velocity are
-// those that the sound waves from either side leave behind.
+// The low-dissipation Riemann scheme of a weakly compressible fluid: the pressure and velocity between two particles
+// are those of the star region between the sound waves from either side.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -20,8 +20,8 @@ inline constexpr PressureOverImpedance pressure_over_impedance{};
 
 namespace detail {
 
-// rho_0 c, kg/(m^2 s). Positive also of materials not given yet (-1), with which the compiler tries a term out, so that
-// their sum is not zero.
+// rho_0 c, kg/(m^2 s). Positive also for materials that are not given yet (-1), with which the compiler tries a term
+// out, so that their sum is not zero.
 constexpr double impedance(const auto& material) {
     const double Z = material.density * material.sound_speed;
     return Z < 0 ? -Z : Z;
@@ -48,8 +48,8 @@ inline double central_riemann_limit(double c, const TimeStepInput& in) {
 
 /// Coefficients of RiemannPressure.
 struct RiemannPressureParameters {
-    /// How soon the dissipation sets in, without unit: it is full where two particles approach at c/eta or more, and
-    /// falls with the speed of approach below. 0: none, the pressure is the mean of the two.
+    /// Onset of the dissipation, without unit: it is full where two particles approach at c/eta or more, and falls with
+    /// the speed of approach below. 0: none, the pressure is the mean of the two.
     double eta = 3;
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message
@@ -64,17 +64,18 @@ struct RiemannPressureParameters {
 /// the materials and their mean sound speed c. Within one fluid p* is the mean pressure plus beta rho_0 c/2 times the
 /// speed of approach.
 ///
-/// To be used with RiemannContinuity in place of VolumePressure, VolumeContinuity, DensityDiffusion and
-/// MonaghanViscosity: it has no coefficient that depends on the flow. Violent free-surface flow, impact, sound waves;
-/// also across a jump of density. The force of the pair is along the line of centres, equal and opposite, to the last
-/// bit where the masses are equal. beta makes the dissipation of the order of the square of the speed of approach:
-/// little in smooth flow, that of the full Riemann problem in an impact.
+/// Use it with RiemannContinuity in place of VolumePressure, VolumeContinuity, DensityDiffusion and MonaghanViscosity:
+/// it has no coefficient that depends on the flow. For violent free-surface flow, impact, sound waves; also across a
+/// density jump. The force of the pair is along the line of centres, equal and opposite, to the last bit where the
+/// masses are equal. beta makes the dissipation second order in the speed of approach: little in smooth flow, that of
+/// the full Riemann problem in an impact.
 ///
-/// Smooth flow on few particles takes it for an impact: of a Taylor-Green vortex at Re = 50, 16 particles across, it
-/// takes 15 % of the energy until t = 0.25 that viscosity leaves, with ParticleShifting; with eta = 0 nothing, to 3 %
-/// (tests/solver/test_closed_box.cpp). Without ParticleShifting particles that have no surface lose their order there.
+/// It dissipates too much in smooth flow on few particles: in a Taylor-Green vortex at Re = 50, 16 particles across,
+/// with ParticleShifting, it takes 15 % of the energy that viscosity leaves until t = 0.25; with eta = 0 nothing, to 3
+/// % (tests/solver/test_closed_box.cpp). Without ParticleShifting, particles without a free surface become disordered
+/// there.
 ///
-/// Not a physical viscosity: add MorrisViscosity or ClearyViscosity for that. Not without something against clumping
+/// Not a physical viscosity: add MorrisViscosity or ClearyViscosity for that. Not without a remedy against clumping
 /// where the pressure is negative (DensityFloor, ParticleShifting). Not for a wall: see RiemannWallPressure.
 ///
 /// Source: Zhang, Hu and Adams (2017), there with rho_a + rho_b for 2 rho_0, which is the same to a per cent in a
@@ -137,13 +138,13 @@ struct RiemannPressure {
 /// swells until, after t sqrt(g/H) = 30, a fifth of its pressure is gone. It acts as far as the water is borne
 /// (SupportedShare); without gravity, and in free fall, U* is that of the source.
 ///
-/// To be used with RiemannPressure: the two conserve energy but for what p* and U* dissipate.
+/// Use it with RiemannPressure: the two conserve energy except for what p* and U* dissipate.
 ///
-/// p is that of LinearState, whatever the equation of state: the density rate must not wait for the pressure of this
-/// step, and of a Tait fluid it is wrong by a few per cent in the smoothing only.
-/// Not towards a wall (see RiemannWallContinuity). It smooths more than DensityDiffusion with its usual delta does: not
-/// where sound itself is looked at on few particles a wave. In a tank that is accelerated sideways, gravity is not all
-/// that acts: give the acceleration as part of it (Solver::set_gravity).
+/// p is that of LinearState, for any equation of state: the density rate must not wait for the pressure of this step.
+/// For a Tait fluid this makes an error of a few per cent, in the smoothing only.
+/// Not towards a wall (see RiemannWallContinuity). It smooths more than DensityDiffusion with its usual delta: not for
+/// sound waves resolved by few particles. In a tank that is accelerated sideways, pass the acceleration as part of
+/// gravity (Solver::set_gravity).
 ///
 /// Source: Zhang, Hu and Adams (2017); with two impedances: Rezavand, Zhang and Hu (2020); the hydrostatic part as in
 /// Fourtakas et al. (2019), linearised, s is own.

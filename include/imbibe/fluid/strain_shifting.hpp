@@ -1,4 +1,4 @@
-// Particle shifting by the rate of strain: keeps particles in order where the flow shears them, and nowhere else.
+// Particle shifting by the rate of strain: keeps particles in order where the flow shears them, and only there.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -31,7 +31,7 @@ struct StrainShiftingParameters {
 /// couplings: `Into<Water, ConcentrationNeighbours<>>` makes the particles of a wall or a solid, which needs its own
 /// Volume, count as neighbours.
 ///
-/// Not in a phase, whose StrainShifting has it already.
+/// Not in a phase: its StrainShifting has it already.
 ///
 /// Source: Lind, Xu, Stansby and Rogers (2012).
 template <class Kernel = WendlandC2>
@@ -52,8 +52,8 @@ struct ConcentrationNeighbours {
 /// sum_b V_b grad_a W_ab, and the surface indicator s of InnerCorrection; both terms must stand beside it. Particles
 /// are moved with v + transport_correction; their momentum is untouched.
 ///
-/// A sheared lattice falls out of order; this puts particles back at the rate at which shear moves them. It is the same
-/// in every frame, and nothing is shifted where nothing is sheared. Mass and momentum are conserved exactly.
+/// A sheared lattice becomes disordered; this restores its order at the rate at which shear moves the particles. It is
+/// the same in every frame, and shifts nothing without shear. Mass and momentum are conserved exactly.
 ///
 /// With CorrectedPressure, which does not keep particles in order by itself (the method CorrectedGradients lists all of
 /// them). For the last bound see ParticleShifting.

@@ -1,4 +1,4 @@
-// Density from where the particles are, not from how they got there: by summation, relative to a lattice.
+// Density from the present positions instead of the history of the motion: by summation, relative to a lattice.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -21,9 +21,9 @@ inline constexpr LatticeKernelSum lattice_kernel_sum{};
 
 /// sum_b V_0b W_ab, without unit: how full the surroundings of a particle are. A part of SummationDensity and
 /// SummationFloor, and a term of its own for couplings: `Into<Water, SummationNeighbours<>>` makes the particles of a
-/// wall or a solid count, and so do those of another fluid. Give those the spacing of the fluid, and layers over the
-/// whole support: between two fluids of which one has half the other's spacing densities are 1.2 % off. Not beside a
-/// continuity equation alone, which does not read it.
+/// wall, a solid or another fluid count. Give those the spacing of the fluid, and layers over the whole support:
+/// between two fluids, one with half the other's spacing, densities are 1.2 % off. Not beside a continuity equation
+/// alone, which does not read it.
 ///
 /// Source: Monaghan (1992), the summation of densities, over volumes instead of masses.
 template <class Kernel = WendlandC2>
@@ -36,9 +36,9 @@ struct SummationNeighbours {
     }
 };
 
-/// sum over a square or cubic lattice of spacing^dim W, without unit; once, when the particles are added. What the
-/// kernel sum is compared with: not the particle's own sum at the start, which is too small for one that was at a
-/// surface then. Not for a phase that starts on another lattice, whose first sum differs from it.
+/// sum over a square or cubic lattice of spacing^dim W, without unit; computed once, when the particles are added. The
+/// reference for the kernel sum. The particle's own sum at the start would be too small if it was at a surface then.
+/// Not for a phase that starts on another lattice, whose first sum differs.
 ///
 /// Source: our own; the lattice is that of `fill`.
 template <class Kernel = WendlandC2>
@@ -74,14 +74,14 @@ IMBIBE_INLINE constexpr auto summed_density(const auto& a) {
 
 /// rho_a = rho_0 sum_b V_0b W_ab / (the same sum on a lattice), in kg/m^3.
 ///
-/// In the place of Continuity, VolumeContinuity and what else adds to the rate of density (diffusion, DensityFloor): it
-/// cannot drift, whatever the number of steps. For fluids without a free surface: periodic, or filled into walls that
-/// count (`Into<Water, SummationNeighbours<>>` in the coupling).
+/// Use it in place of Continuity, VolumeContinuity and other terms that add to the density rate (diffusion,
+/// DensityFloor): it cannot drift, for any number of steps. For fluids without a free surface: periodic, or filled into
+/// walls that count (`Into<Water, SummationNeighbours<>>` in the coupling).
 ///
-/// Not with a free surface: there half of the neighbours are missing, and the pressure becomes that of a strong
-/// tension; beside Continuity take SummationFloor. Beside a term that adds to the density's rate it does not compile
-/// (SetTwice). Noisier than Continuity: the energy of a decaying vortex is right to 3 %, while single particles are up
-/// to a fifth too fast. A kernel with a narrow peak (Wendland, few neighbours) overrates the particle's own part.
+/// Not with a free surface: there half of the neighbours are missing, and the pressure becomes a strong tension; beside
+/// Continuity take SummationFloor. Beside a term that adds to the density rate it does not compile (SetTwice). Noisier
+/// than Continuity: the energy of a decaying vortex is right to 3 %, while single particles are up to a fifth too fast.
+/// A kernel with a narrow peak (Wendland, few neighbours) overrates the particle's own contribution.
 ///
 /// Source: Monaghan (1992); in this normalisation Zhang, Rezavand and Hu (2020).
 template <class Kernel = WendlandC2>
@@ -109,14 +109,14 @@ struct SummationFloorParameters {
 /// drho_a/dt += rate c/spacing max(rho_sum - rho_a, 0), in kg/m^3/s, with rho_sum = rho_0 sum_b V_0b W_ab / (the same
 /// sum on a lattice).
 ///
-/// Beside Continuity or RiemannContinuity: particles that have come closer together than their density says get the
-/// density that belongs to it, and are pushed apart again. At a free surface, where rho_sum is too small, the density
-/// of the continuity equation is left as it is. The source sets rho = max(rho, rho_sum) at the start of a step; here
-/// it is a rate, so that it needs nothing from the integrator.
+/// Use it beside Continuity or RiemannContinuity: particles that have come closer than their density says get the
+/// density of their spacing, and are pushed apart again. At a free surface, where rho_sum is too small, the density of
+/// the continuity equation is kept. The source sets rho = max(rho, rho_sum) at the start of a step; here it is a rate,
+/// so it needs nothing from the integrator.
 ///
-/// Not where the density must stay that of the continuity equation: on disordered particles rho_sum is noise, of which
-/// only the upper half is taken, so the mean density and with it the pressure rises. Not without the walls' part in the
-/// coupling (`Into<Water, SummationNeighbours<>>`) where walls matter.
+/// Not where the density must stay that of the continuity equation: on disordered particles rho_sum is noisy, and only
+/// its upper half is taken, so the mean density and with it the pressure rises. Not without `Into<Water,
+/// SummationNeighbours<>>` in the couplings with walls.
 ///
 /// Source: Zhang, Rezavand and Hu (2020), the reinitialisation at free surfaces.
 template <class Kernel = WendlandC2>

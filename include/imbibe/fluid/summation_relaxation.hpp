@@ -1,4 +1,4 @@
-// A slow pull of the density towards what the places of the particles say: a continuity equation that cannot drift.
+// Slow relaxation of the density to the summation density: a continuity equation that cannot drift.
 #pragma once
 
 #include <imbibe/fluid/summation_density.hpp>
@@ -7,8 +7,8 @@ namespace imbibe {
 
 /// Coefficients of SummationRelaxation.
 struct SummationRelaxationParameters {
-    /// The time in which a deviation falls to 1/e, s. To be given: about 0.3 of that in which the flow crosses the
-    /// vessel. It should be long beside H/c, or sound is damped and the noise of the sum is heard.
+    /// The time in which a deviation falls to 1/e, s. Must be given: about 0.3 of the time in which the flow crosses
+    /// the vessel. It should be long compared with H/c, or it damps sound and adds the noise of the sum.
     double time = 0;
 
     /// Throws Error for a number out of range. @param where the phase in the message
@@ -21,21 +21,21 @@ struct SummationRelaxationParameters {
 /// drho_a/dt += (rho_sum - rho_a)/time, in kg/m^3/s, with rho_sum = rho_0 sum_b V_0b W_ab / (the same sum on a
 /// lattice).
 ///
-/// Beside Continuity, VolumeContinuity or CorrectedContinuity, which follow the flow from moment to moment but do not
-/// know where particles have been put: where they are shifted, above all off walls, density and places part, and the
-/// fluid fills a closed box unevenly. A cavity whose lid moves, 24 particles across at Re = 100, keeps half of its
-/// flow, its density being 15 % too high; with this beside ShiftingNeighbours it is 7 to 12 % too slow and the density
-/// 1 % too high (tests/validation/more/test_reference_cavity.cpp). docs/validation.md, fsi1 to fsi3: a channel with a
-/// cylinder.
+/// Use it beside Continuity, VolumeContinuity or CorrectedContinuity, which follow the flow from moment to moment but
+/// ignore the shifts of particles: with shifting, above all off walls, density and positions drift apart, and the fluid
+/// fills a closed box unevenly. A lid-driven cavity, 24 particles across at Re = 100, keeps half of its flow, with a
+/// density 15 % too high; with this beside ShiftingNeighbours the flow is 7 to 12 % too slow and the density 1 % too
+/// high (tests/validation/more/test_reference_cavity.cpp). docs/validation.md, fsi1 to fsi3: a channel with a cylinder.
 ///
 /// For fluids without a free surface: periodic, or between walls and solids that count (`Into<Water,
 /// SummationNeighbours<>>` in every coupling), of the fluid's spacing and as many layers as the support reaches.
 ///
-/// Not with a free surface, where half of the neighbours are missing and the pressure becomes that of a strong tension.
-/// Not with a time as short as that in which the flow swings. Beside SummationDensity it does not compile (SetTwice).
+/// Not with a free surface, where half of the neighbours are missing and the pressure becomes a strong tension. Not
+/// with a time as short as the period of the flow's oscillations. Beside SummationDensity it does not compile
+/// (SetTwice).
 ///
-/// Source: own. What re-initialising the density every some steps does (Colagrossi and Landrini 2003), little by
-/// little, so that no step has a jump and an integrator need not know.
+/// Source: own. The effect of re-initialising the density every few steps (Colagrossi and Landrini 2003), spread over
+/// all steps: no step has a jump, and the integrator need not know.
 template <class Kernel = WendlandC2>
 struct SummationRelaxation {
     static constexpr bool changes_volume = true;

@@ -1,4 +1,4 @@
-// Where the free surface of a fluid is, as terms that look for it tell others.
+// Where the free surface of a fluid is: set by terms that detect it, for other terms.
 #pragma once
 
 #include <imbibe/core/term.hpp>

@@ -18,12 +18,12 @@ inline constexpr PressureOverDensity2 pressure_over_density2{};
 /// force of the pair is - m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) grad_a W_ab: along the line of centres, equal and
 /// opposite, to the last bit where the masses are equal.
 ///
-/// Not for interfaces with a large jump of the density, where it acts as a surface tension: see VolumePressure. Not in
-/// a coupling beside VolumeContinuity where densities differ by more than a factor of two: what the one counts as
-/// compression is not what the other does as work, and energy comes in however short the steps are (water at rest on a
-/// fluid or solid of 200 kg/m^3). Continuity is the counterpart of this force, VolumeContinuity that of VolumePressure.
-/// A uniform pressure on disordered particles still pushes them (towards order), and a negative one pulls them into
-/// clumps. Use a kernel whose slope does not vanish at the centre (Spiky) or one that does not pair (Wendland).
+/// Not for interfaces with a large density jump, where it acts as a surface tension: see VolumePressure. Not in a
+/// coupling beside VolumeContinuity where densities differ by more than a factor of two: the work of the force does not
+/// match the compression counted, and energy grows however short the steps are (water at rest on a fluid or solid of
+/// 200 kg/m^3). Continuity is the counterpart of this force, VolumeContinuity that of VolumePressure. A uniform
+/// pressure on disordered particles still pushes them (towards order), and a negative one pulls them into clumps. Use a
+/// kernel whose slope does not vanish at the centre (Spiky) or one that does not pair (Wendland).
 ///
 /// Source: Monaghan (1992), Eq. 3.3; the paper, Eq. (12), and Eq. (23) without its extra rho_b, which broke the balance
 /// of action and reaction.

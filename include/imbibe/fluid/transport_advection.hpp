@@ -1,4 +1,4 @@
-// What moving particles with another velocity than the fluid's leaves out of their momentum.
+// The momentum correction for particles that are moved with another velocity than the fluid's.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -7,9 +7,9 @@
 namespace imbibe {
 
 /// dv_a/dt = sum_b m_b/rho_b (delta v_a . grad_a W_ab) (v_b - v_a), in m/s^2, with the transport correction delta v of
-/// ParticleShifting: (delta v . grad) v, what the fluid's velocity changes by along the way that a particle is moved
-/// beside it. Without this a particle takes its velocity along. (XsphTransport sets the same field; with that it was
-/// not tried.)
+/// ParticleShifting: (delta v . grad) v, the change of the fluid's velocity along the extra displacement of a particle.
+/// Without this a shifted particle takes its velocity along. (XsphTransport sets the same field; this combination is
+/// untested.)
 ///
 /// For flows with vortices and shear layers whose particles are shifted by much: with a `strength` of 4 it halves the
 /// error of the velocity in a Taylor-Green vortex at Re = 1000, with the default of 2 it takes a tenth of it away, at
@@ -17,11 +17,11 @@ namespace imbibe {
 /// gradients, and 2.7 to 3.7 % without (docs/validation.md). Its own gradients need no correction: with it the error is
 /// the same to a tenth.
 ///
-/// Not in couplings: that the wall's velocity counts too changes little, and a density that follows a continuity
-/// equation drifts away, because particles that are shifted off the wall are made to flow towards it.
-/// Not without viscosity, and not where momentum must be conserved exactly. A whole sweep more, so not where particles
-/// are hardly shifted. The density is left alone: what it changes by along the way is set right by sound. Long steps
-/// add energy beside it as without it (SymplecticEuler).
+/// Not in couplings: counting the wall's velocity changes little, and a density that follows a continuity equation
+/// drifts, because particles that are shifted off the wall make the fluid flow towards it. Not without viscosity, and
+/// not where momentum must be conserved exactly. It costs a whole sweep, so not where particles are hardly shifted. The
+/// density is left alone: sound restores its change along the extra displacement. Long steps add energy with it as
+/// without it (SymplecticEuler).
 ///
 /// Source: the convective term of Oger et al. (2016) and of Sun et al. (2019), as it is for particles of constant mass.
 /// The stress rho v (x) delta v of Adami, Hu and Adams (2013) in its place conserves momentum, but counts v div(rho

@@ -11,13 +11,13 @@ struct VolumeField : Field<Rank::scalar> {
 };
 inline constexpr VolumeField volume{};
 
-/// V_a = m_a/rho_a, once per particle. Terms that need volumes list it among their parts; it is computed once however
-/// many do. A phase whose volumes are only read by its neighbours (a wall under `Into<Water, ...>`) takes it as a
-/// term of its own.
+/// V_a = m_a/rho_a, once per particle. Terms that need volumes list it among their parts; it is computed once for all
+/// of them. A phase whose volumes are read only by its neighbours (a wall under `Into<Water, ...>`) takes it as a term
+/// of its own.
 ///
 /// A total-Lagrangian solid has its stress-free density, so this is its stress-free volume.
 ///
-/// Not to be listed where another term of the same phase has it among its parts: it is there then.
+/// Not in a phase where another term has it among its parts already.
 ///
 /// Source: Monaghan (1992), m/rho as the volume element of the sums.
 struct Volume {

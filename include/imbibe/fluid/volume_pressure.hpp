@@ -1,4 +1,4 @@
-// The pressure force between volumes: the form for interfaces, where the density jumps.
+// The pressure force between volumes: the form for interfaces with a density jump.
 #pragma once
 
 #include <imbibe/fluid/volume.hpp>
@@ -7,31 +7,31 @@
 
 namespace imbibe {
 
-/// What VolumePressure makes of a pair whose pressures have a negative sum.
+/// How VolumePressure treats a pair whose pressures have a negative sum.
 enum class Tension {
     pulls, ///< they pull at each other
-    none   ///< nothing: the pair can part freely
+    none   ///< no force: the pair can part freely
 };
 
 /// dv_a/dt = - 1/m_a sum_b V_a V_b (p_a + p_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho.
 ///
-/// The force that does as much work as VolumeContinuity counts compression (virtual work), so the two belong
-/// together: energy is then lost to no one. Right across a jump of density, between fluids and between a fluid and a
-/// wall or a solid, because pressure, which is continuous there, is all it averages. The force of the pair is along
-/// the line of centres, equal and opposite, to the last bit where the masses are equal.
+/// The force that does as much work as VolumeContinuity counts compression (virtual work), so the two together conserve
+/// energy. Correct across a density jump, between fluids and between a fluid and a wall or a solid, because it averages
+/// only the pressure, which is continuous there. The force of the pair is along the line of centres, equal and
+/// opposite, to the last bit where the masses are equal.
 ///
 /// In a coupling with a wall or a total-Lagrangian solid the other side's `pressure` is that of PressureExtrapolation
 /// and its volume is its own m/rho. Write the term there without `Into`: both sides need the volume, and a wall that
 /// does not move computes no force.
 ///
-/// Tension::none is for the coupling of a fluid that bears some tension (the slack of DensityFloor) with walls or solids
-/// from which it is to part. PressureExtrapolation without suction does not see to that alone: a fluid particle whose
-/// own pressure is negative still pulls at the wall, and single drops stick to it.
+/// Tension::none is for the coupling of a fluid that bears some tension (the slack of DensityFloor) with walls or
+/// solids that it may leave. PressureExtrapolation without suction alone is not enough: a fluid particle whose own
+/// pressure is negative still pulls at the wall, and single drops stick to it.
 ///
-/// Not for flow that is slow under a high pressure p: a lattice of particles resists it like an elastic solid of up to
-/// 0.07 p, or gives way by itself (`describe` has the number, docs/validation.md, kolmogorov). CorrectedGradients does
-/// not. Not without something against clumping where the pressure is negative (DensityFloor, particle shifting). Not
-/// where the volume of a particle is not m/rho.
+/// Not for slow flow under a high pressure p: a lattice of particles resists it like an elastic solid of shear modulus
+/// up to 0.07 p, or is unstable (`describe` prints the number; docs/validation.md, kolmogorov). CorrectedGradients has
+/// no such resistance. Not without a remedy against clumping where the pressure is negative (DensityFloor, particle
+/// shifting). Not where the volume of a particle is not m/rho.
 ///
 /// Source: Colagrossi and Landrini (2003); the same average of volumes and pressures, Hu and Adams (2006).
 template <class Kernel = WendlandC2, Tension tension = Tension::pulls>

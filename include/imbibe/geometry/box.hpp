@@ -11,11 +11,11 @@ namespace imbibe {
 
 /// The axis-aligned box of all points with lower <= p <= upper (a rectangle in 2D); coordinates in m.
 ///
-/// The box is closed: its faces belong to it. That two boxes with a common face do not both claim the lattice points
-/// on it is the business of fill(), not of the box.
+/// The box is closed: its faces belong to it. fill() makes sure that two boxes with a common face do not both claim the
+/// lattice points on it.
 template <int dim>
 class Box {
-    static_assert(detail::check_dimension<dim>() || true); // it says by itself what is wrong, once
+    static_assert(detail::check_dimension<dim>() || true); // reports what is wrong by itself, once
 
 public:
     /// The box between two corners. Throws Error if a coordinate is not finite or a side is not longer than zero.
@@ -28,7 +28,7 @@ public:
                     ", upper = ", point_text<dim>(upper), ".");
     }
 
-    /// The box without limits: the bounds of a shape that has none.
+    /// The unbounded box: the bounds of a shape that has none.
     [[nodiscard]] static Box everywhere() {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return Box{Unchecked{}, Point<dim>::Constant(-infinity), Point<dim>::Constant(infinity)};

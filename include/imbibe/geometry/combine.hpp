@@ -27,7 +27,7 @@ struct Union {
     [[nodiscard]] Box<shape_dimension<A>> bounds() const { return a.bounds().joined(b.bounds()); }
 };
 
-/// The points of `a` that are not in `b`. Write `a - b`. The surface of `b`, which is b's, is not part of it.
+/// The points of `a` that are not in `b`. Write `a - b`. The surface of `b` belongs to `b`, so it is not part of it.
 template <AnyShape A, AnyShape B>
 struct Difference {
     A a; ///< the shape that is cut
@@ -37,7 +37,7 @@ struct Difference {
     [[nodiscard]] bool contains(const Point<shape_dimension<A>>& point) const {
         return a.contains(point) && !b.contains(point);
     }
-    /// The bounds of `a` (not tight where `b` cuts a whole end off).
+    /// The bounds of `a` (not tight if `b` cuts off a whole end).
     [[nodiscard]] Box<shape_dimension<A>> bounds() const { return a.bounds(); }
 };
 

@@ -7,8 +7,8 @@
 
 namespace imbibe {
 
-/// All points within `radius` of the line that runs from `start` for `length` along `axis` (lengths in m; the length
-/// of `axis` itself does not matter). Ends and mantle belong to it.
+/// All points within `radius` of the line that runs from `start` for `length` along `axis` (lengths in m; the length of
+/// `axis` itself does not matter). Ends and lateral surface belong to it.
 class Cylinder {
 public:
     /// Throws Error unless all numbers are finite, radius and length > 0 m and the axis not zero.
@@ -20,7 +20,7 @@ public:
                 " must not be zero. Give any vector along the cylinder.");
         detail::require_positive("Cylinder", "radius", radius, "Give the radius in metres.");
         detail::require_positive("Cylinder", "length", length, "Give the length in metres; turn the axis instead.");
-        axis_.stableNormalize(); // also where the squares of its components have no value
+        axis_.stableNormalize(); // also if the squares of its components overflow or underflow
     }
 
     [[nodiscard]] const Point<3>& start() const { return start_; } ///< centre of the first end, m

@@ -1,4 +1,5 @@
-// Squared distances from every cell of a grid to the nearest of some cells, in time that goes with the number of cells.
+// Squared distances from every cell of a grid to the nearest of some cells, in time proportional to the number of
+// cells.
 #pragma once
 
 #include <array>
@@ -40,8 +41,8 @@ inline void spread_distance(std::vector<double>& line, double step, std::vector<
     }
 }
 
-/// The same along every axis of a grid, x fastest: `distance` holds 0 in the cells that distances are to and a number
-/// above all squared distances in the others, and gets the squared distances. `step`: from cell to cell.
+/// The same along every axis of a grid, x fastest: `distance` holds 0 in the target cells and a number above all
+/// squared distances in the others, and receives the squared distances. `step`: distance between cells.
 template <int dim>
 void spread_distances(std::vector<double>& distance,
                       const std::array<std::size_t, static_cast<std::size_t>(dim)>& cells,

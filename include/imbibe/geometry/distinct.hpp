@@ -1,4 +1,4 @@
-// A check on a set of points: every coordinate a finite number, no two points in the same place.
+// A check of a set of points: all coordinates finite, no two points in the same place.
 #pragma once
 
 #include <imbibe/geometry/point.hpp>
@@ -15,8 +15,8 @@ namespace detail {
 template <int dim>
 void require_distinct(const std::string& who, const std::vector<Point<dim>>& points, double spacing) {
     const double nearest = 1e-3 * spacing;
-    // Cells 16 times the least distance wide: a cell holds a bounded number of distinct points whatever the input, and
-    // few points lie so near to its border that the next cell must be looked at too.
+    // Cells 16 times the least distance wide: a cell holds a bounded number of distinct points for any input, and few
+    // points lie so near to its border that the next cell must be checked too.
     const double cell = 16 * nearest;
 
     std::size_t buckets = 16;
@@ -44,7 +44,7 @@ void require_distinct(const std::string& who, const std::vector<Point<dim>>& poi
 
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point<dim>& point = points[i];
-        // Not require(): the texts are put together only when they are needed, as this runs for every particle.
+        // Not require(): it would build the texts for every particle.
         if (!point.allFinite())
             throw Error(text(who, ": point ", i, " of ", points.size(), " is at ", point_text<dim>(point),
                              "; every coordinate must be finite. Look at what made the points."));
@@ -81,7 +81,7 @@ void require_distinct(const std::string& who, const std::vector<Point<dim>>& poi
 } // namespace detail
 
 /// Throws Error if a coordinate is NaN or infinite, or if two points are nearer to each other than 1e-3 spacing (m);
-/// the message names their indices and positions. Takes time in proportion to the number of points.
+/// the message names their indices and positions. Takes time proportional to the number of points.
 template <int dim>
 void require_distinct(const std::vector<Point<dim>>& points, double spacing) {
     detail::require_positive("require_distinct", "spacing", spacing, "Give the distance between particles in metres.");

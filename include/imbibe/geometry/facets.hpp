@@ -1,4 +1,4 @@
-// The distance from a point to a surface that is made of facets: triangles in space, straight pieces in the plane.
+// The distance from a point to a surface made of facets: triangles in space, line segments in the plane.
 #pragma once
 
 #include <imbibe/geometry/box.hpp>
@@ -13,13 +13,13 @@
 
 namespace imbibe {
 
-/// A flat piece of a surface: the corners (m) of a triangle in space, the ends of a straight piece in the plane.
+/// A flat piece of a surface: the corners (m) of a triangle in space, the ends of a line segment in the plane.
 template <int dim>
 using Facet = std::array<Point<dim>, static_cast<std::size_t>(dim)>;
 
 namespace detail {
 
-/// The point of a straight piece that is nearest to `p`.
+/// The point of a line segment that is nearest to `p`.
 inline Point<2> nearest_point(const Facet<2>& facet, const Point<2>& p) {
     const Point<2> along = facet[1] - facet[0];
     const double length2 = along.squaredNorm();
@@ -54,7 +54,7 @@ inline Point<3> nearest_point(const Facet<3>& facet, const Point<3>& p) {
 
 } // namespace detail
 
-/// Facets in a tree of boxes, which finds the nearest to a point without a look at most others.
+/// Facets in a tree of boxes, which finds the nearest to a point without visiting most others.
 template <int dim>
 class FacetTree {
 public:
@@ -66,7 +66,7 @@ public:
     };
 
     FacetTree() = default;
-    /// Sorts the facets into the tree; `leaf` is how many at most are looked at one by one.
+    /// Sorts the facets into the tree; a leaf holds at most `leaf` facets.
     explicit FacetTree(std::vector<Facet<dim>> facets, int leaf = 8) : facets_(std::move(facets)) {
         std::vector<Point<dim>> middles(facets_.size(), Point<dim>::Zero());
         for (std::size_t i = 0; i < facets_.size(); ++i)

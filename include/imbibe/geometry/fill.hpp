@@ -11,10 +11,10 @@ namespace imbibe {
 
 namespace detail {
 
-/// More lattice points than this in the bounds of a shape are taken for a mistake in the units.
+/// A shape whose bounds have more lattice points than this is taken for a mistake in the units.
 inline constexpr double most_lattice_points = 4e9;
 
-/// How far, in spacings, a lattice point may be from a face and count as lying on it.
+/// A lattice point nearer to a face than this, in spacings, counts as lying on it.
 inline constexpr double on_the_face = 1e-6;
 
 /// The lattice points anchor + (i + shift) spacing near the bounds for which `inside(point)` holds; x runs fastest.
@@ -68,15 +68,15 @@ std::vector<Point<dim>> lattice_points(const char* who, const Box<dim>& bounds, 
 
 } // namespace detail
 
-/// Particle positions (m) at the centres of the cells of a lattice: anchor + (i + 1/2) spacing, all of them that lie
-/// in the shape. Each stands for a volume spacing^dim. x runs fastest, the last coordinate slowest.
+/// Particle positions (m) at the centres of the cells of a lattice, anchor + (i + 1/2) spacing, all that lie in the
+/// shape. Each stands for a volume spacing^dim. x runs fastest, the last coordinate slowest.
 ///
-/// Particles lie half a spacing inside a face, not on it: there they would stand for half a cell, and as `Solver::add`
-/// gives each the mass density spacing^dim, a body of n spacings a side would have (n + 1)/n of its mass each way. Where
-/// the outermost particles are to lie in a plane, fill a body that reaches half a spacing beyond it.
+/// The outermost particles lie half a spacing inside a face. On the face they would stand for half a cell only, and as
+/// `Solver::add` gives each the mass density spacing^dim, a body of n spacings a side would have (n + 1)/n of its mass
+/// in each direction. To place the outermost particles in a plane, fill a body that reaches half a spacing beyond it.
 ///
-/// Two shapes that share a face and a lattice (same spacing, anchors a whole number of spacings apart) never both get
-/// a point, and never both miss it: a point on a face goes to the shape on the side of larger coordinates, also where
+/// Two shapes that share a face and a lattice (same spacing, anchors a whole number of spacings apart) never both get a
+/// point, and never both miss it: a point on a face belongs to the shape on the side of larger coordinates, also if
 /// round-off puts it a little off the face. So a box is filled as [lower, upper), and `a - b` with `a & b` is `a`.
 ///
 /// Throws Error if the spacing is not finite and > 0 m, the shape is unbounded, more than 4e9 or no points result, or
@@ -85,8 +85,8 @@ template <AnyShape S>
 [[nodiscard]] std::vector<Point<shape_dimension<S>>> fill(const S& shape, double spacing,
                                                           const Point<shape_dimension<S>>& anchor) {
     constexpr int dim = shape_dimension<S>;
-    // A tie is decided by looking a little further along every axis, further than round-off reaches. The unequal parts
-    // keep the step from running along a slanted face.
+    // Ties are decided at a point shifted along every axis by more than round-off. The shifts are unequal so that they
+    // do not run along a slanted face.
     Point<dim> nudge;
     for (int axis = 0; axis < dim; ++axis)
         nudge[axis] = detail::on_the_face * spacing * std::pow(0.618, axis);

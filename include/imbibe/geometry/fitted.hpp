@@ -16,7 +16,7 @@
 
 namespace imbibe {
 
-/// How particles are made to follow a surface. The defaults are for everyday use.
+/// Settings of the packing along a surface. The defaults are for everyday use.
 struct Fitting {
     int steps = 100; ///< of the relaxation, 0 to 10000
     int threads = 0; ///< 1 to 1024; 0: all of the machine. The particles are the same for any number
@@ -24,16 +24,17 @@ struct Fitting {
 
 namespace detail {
 
-/// How far, in spacings, the kernel of the relaxation reaches, and how deep on both sides of a surface particles move.
+/// The support of the relaxation's kernel, and the depth on both sides of a surface in which particles move, in
+/// spacings.
 inline constexpr double fitting_reach = 2.6, fitting_depth = 2.6;
 
-/// Moves the particles with the numbers `moving` down the gradient of sum_b W_ab, `steps` times; keep(i, x) is where
-/// particle i goes that would go to x.
+/// Moves the particles with the numbers `moving` down the gradient of sum_b W_ab, `steps` times; keep(i, x) returns the
+/// final position of particle i for the new position x.
 template <int dim, class Keep>
 void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, double spacing, int steps, int threads,
            const Keep& keep) {
     const double H = fitting_reach * spacing, skin = 0.4 * spacing, close = 0.6 * spacing;
-    Point<dim> aside; // of two in one place one goes this way, one the other
+    Point<dim> aside; // two particles in one place move apart along it
     for (int axis = 0; axis < dim; ++axis)
         aside[axis] = std::cos(1.0 + axis);
     const double share = std::pow(spacing / H, dim) * WendlandC2::normalisation<dim>();
@@ -48,7 +49,7 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
         double farthest = step == 0 ? skin : 0;
         for (std::size_t m = 0; step > 0 && m < moving.size(); ++m)
             farthest = std::max(farthest, (points[static_cast<std::size_t>(moving[m])] - listed_at[m]).norm());
-        if (2 * farthest >= skin) { // somebody may have come nearer than the lists know
+        if (2 * farthest >= skin) { // a pair may have come nearer than the lists know
             for (std::size_t i = 0; i < points.size(); ++i)
                 places.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
             search.move(0, places);
@@ -70,8 +71,8 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
                     const double q2 = offset.squaredNorm() / (H * H);
                     if (q2 < 1)
                         push -= WendlandC2::derivative_over_q(std::sqrt(q2)) * offset;
-                    // The slope of a kernel vanishes at its middle: a pair that a corner has brought together would
-                    // stay.
+                    // The slope of a kernel vanishes at its centre: a pair that a corner has brought together would
+                    // stay together.
                     if (const double r = H * std::sqrt(q2); r < close)
                         apart += 0.25 * (close - r) * (offset + 1e-6 * (i < j ? close : -close) * aside) /
                                  (r + 1e-6 * close);
@@ -86,18 +87,18 @@ void relax(std::vector<Point<dim>>& points, const std::vector<int>& moving, doub
     }
 }
 
-/// Particles of several regions and of what surrounds them, packed together: one list a region, and the surroundings,
-/// as far as `layers` spacings from the nearest region, as the last.
+/// Packs the particles of several regions and of their surroundings together: one list per region, and the
+/// surroundings, up to `layers` spacings from the nearest region, as the last.
 ///
-/// All begin on one lattice, so that no place is filled twice and none is left open. A region gets
-/// round(volume/spacing^dim) of them, those that lie deepest in it; all the others are surroundings. Particles nearer
-/// to a surface than 2.6 spacings then move down the gradient of sum_b W_ab, Fitting::steps times,
+/// All start on one lattice, so that no place is filled twice or left open. A region gets the round(volume/spacing^dim)
+/// particles that lie deepest in it; all the others are surroundings. Particles nearer to a surface than 2.6 spacings
+/// then move down the gradient of sum_b W_ab, Fitting::steps times,
 ///
 ///     x_a -= C/4 H^2 sum_b spacing^dim grad_a W_ab,   C = 0.5 * 0.995^step, at most 0.2 spacings,
 ///
-/// with the kernel WendlandC2 over H = 2.6 spacings. Pairs nearer than 0.6 spacings part by half of what they are too
-/// near. Those that are less than half a spacing from a surface are put back to there, on their own side. Particles
-/// further away stay on the lattice and hold the others.
+/// with the kernel WendlandC2 over H = 2.6 spacings. Pairs nearer than 0.6 spacings move apart by half of the
+/// shortfall. Particles less than half a spacing from a surface are moved back to that distance, on their own side.
+/// Particles further away stay on the lattice and hold the others.
 ///
 /// Source: Zhu, Zhang and Hu (2021) for the relaxation with a bounding by level set, Neher et al. (2026) for the
 /// packing of both sides together.
@@ -119,7 +120,8 @@ std::vector<std::vector<Point<dim>>> pack(const char* who, const std::vector<Lev
     });
     const auto number = points.size();
 
-    // To each region those that lie deepest in it. Ties, as of a whole layer, are broken by chance, not by place.
+    // Each region gets the particles that lie deepest in it. Ties, as of a whole layer, are broken at random, not by
+    // position.
     std::vector<int> owner(number, surroundings);
     std::vector<std::pair<double, std::uint64_t>> depths;
     for (int region = 0; region < surroundings; ++region) {
@@ -192,8 +194,8 @@ std::vector<std::vector<Point<dim>>> pack_shapes(const char* who, double spacing
     return pack<dim>(who, regions, bounds, spacing, anchor, layers, fitting);
 }
 
-/// place(shape, spacing), or for a shape that is turned, moved or enlarged what it gives in the shape's own frame,
-/// transformed.
+/// place(shape, spacing); for a shape that is turned, moved or enlarged the transformed result in the shape's own
+/// frame.
 template <AnyShape S, class Place>
 std::vector<Point<shape_dimension<S>>> in_own_frame(const S& shape, double spacing, const Place& place) {
     if constexpr (is_transformed<S>) {
@@ -208,17 +210,17 @@ std::vector<Point<shape_dimension<S>>> in_own_frame(const S& shape, double spaci
 
 } // namespace detail
 
-/// Particle positions (m) that fill a shape and follow its surface: as many as round(volume/spacing^dim), the outermost
-/// half a spacing deep. On flat faces along the lattice they are those of fill(); elsewhere fill() makes stairs, which
-/// are too soft as a solid and brake what slips along them as a wall (docs/validation.md, turned-beam and ramp), and
-/// give a small body the wrong mass.
+/// Particle positions (m) that fill a shape and follow its surface: round(volume/spacing^dim) of them, the outermost
+/// half a spacing deep. On flat faces along the lattice they are those of fill(). Elsewhere fill() makes stairs, which
+/// are too soft as a solid, brake sliding flow as a wall (docs/validation.md, turned-beam and ramp), and give a small
+/// body the wrong mass.
 ///
 /// The lattice begins in the lower corner of the shape's bounds. A shape that is turned, moved or enlarged is filled in
 /// its own frame first. The same shape gives the same particles, for any number of threads. Parts thinner than a
-/// spacing may be missed, and edges are rounded by a fraction of a spacing. Where a shape is not a whole number of
-/// spacings thick, its layers are uneven.
+/// spacing may be missed, and edges are rounded by a fraction of a spacing. A shape that is not a whole number of
+/// spacings thick has uneven layers.
 ///
-/// Throws Error as fill() does, and where the shape has less volume than half a particle.
+/// Throws Error as fill() does, and if the shape has less volume than half a particle.
 template <AnyShape S>
 [[nodiscard]] std::vector<Point<shape_dimension<S>>> fitted(const S& shape, double spacing,
                                                             const Fitting& fitting = {}) {
@@ -227,8 +229,8 @@ template <AnyShape S>
     });
 }
 
-/// Positions (m) of wall particles that follow the surface of a shape: `layers` layers round it, the first half a
-/// spacing outside. `walls_of(shape, spacing, 3)` fits to `fitted(shape, spacing)`: both are of one packing. For the
+/// Positions (m) of wall particles that follow the surface of a shape: `layers` layers around it, the first half a
+/// spacing outside. `walls_of(shape, spacing, 3)` matches `fitted(shape, spacing)`: both are of one packing. For the
 /// walls of a box with open sides see tank(). Throws Error as fitted() does, and for layers < 1.
 template <AnyShape S>
 [[nodiscard]] std::vector<Point<shape_dimension<S>>> walls_of(const S& shape, double spacing, int layers,
@@ -240,12 +242,12 @@ template <AnyShape S>
     });
 }
 
-/// Several shapes that touch, packed together on one lattice, as a body and the water round it, and `layers` layers
+/// Packs several touching shapes, such as a body and the water around it, together on one lattice, with `layers` layers
 /// outside all of them. The lists of their particles (m) come in the order of the shapes, that of the layers last:
 ///
 ///     const auto [body, water, walls] = fitted_together(spacing, Point<2>{0, 0}, 3, ball, tank - ball);
 ///
-/// The shapes must not overlap; where they do, what is in both belongs to the first. Throws Error as fitted() does.
+/// The shapes must not overlap; an overlap belongs to the first one. Throws Error as fitted() does.
 /// @param spacing distance of the particles, m
 /// @param anchor a corner of the lattice, m
 /// @param layers outside; 0: none

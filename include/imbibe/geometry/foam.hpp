@@ -12,7 +12,7 @@
 
 namespace imbibe {
 
-/// What a random foam is described by.
+/// The parameters of a random foam.
 struct Foam {
     double pore_radius = 0;   ///< mean radius of the balls, m
     double porosity = 0.8;    ///< open part of the box, 0 to 1
@@ -20,8 +20,8 @@ struct Foam {
     std::uint64_t seed = 1;   ///< another seed is another foam; the same seed is the same foam everywhere
 };
 
-/// A box minus balls dropped at random until the porosity is reached; then all radii are shrunk together, by less
-/// than one ball's worth, so that it is met within 0.01. Where two balls overlap, their pores are joined by a window.
+/// A box minus balls dropped at random until the porosity is reached; then all radii are shrunk together, by less than
+/// one ball's worth, to meet it within 0.01. Where two balls overlap, a window joins their pores.
 ///
 /// In 3D the pores connect from a porosity of about 0.3 on, and the solid falls apart near 0.97 (overlapping balls);
 /// small loose pieces of solid are possible before. In 2D solid and pores cannot both be connected.
@@ -45,7 +45,7 @@ public:
         index_balls();
     }
 
-    [[nodiscard]] const Foam& foam() const { return foam_; }                       ///< as it was asked for
+    [[nodiscard]] const Foam& foam() const { return foam_; }                       ///< as requested
     [[nodiscard]] const std::vector<Sphere<dim>>& pores() const { return balls_; } ///< the balls, some centres outside
 
     /// The open part of the box, 0 to 1, measured on samples other than those the radii were fitted to.
@@ -56,15 +56,15 @@ public:
         return static_cast<double>(open) / static_cast<double>(samples);
     }
 
-    /// Diameter (m) of the largest ball that passes through the foam along its last axis; 0 if no way leads through.
-    /// Right within an eighth of the pore radius, or as 3e7 cells allow for a foam of many pores.
+    /// Diameter (m) of the largest ball that passes through the foam along its last axis; 0 if there is no way through.
+    /// Accurate to an eighth of the pore radius, or as 3e7 cells allow for a foam of many pores.
     [[nodiscard]] double pore_width() const {
         const double affordable = std::pow(box_.volume() / 3e7, 1.0 / dim);
         return widest_passage(*this, dim - 1, std::max(foam_.pore_radius / 16, affordable));
     }
 
     /// Diameters (m) of the windows inside the box: one for each pair of overlapping balls, the circle in which their
-    /// surfaces cut (a chord in 2D), unless its centre lies in a third ball and the window has no rim to speak of.
+    /// surfaces intersect (a chord in 2D), unless its centre lies in a third ball, so that the window has no real rim.
     [[nodiscard]] std::vector<double> windows() const {
         std::vector<double> result;
         for (std::size_t i = 0; i < balls_.size(); ++i)
@@ -84,7 +84,7 @@ public:
     }
 
     /// Diameter (m) of the smallest window; 0 if there is none. In a random foam some pair of balls always just
-    /// touches, so this is small: whether water passes is told by pore_width().
+    /// touches, so this is small. Whether water passes depends on pore_width().
     [[nodiscard]] double smallest_window() const {
         const std::vector<double> all = windows();
         return all.empty() ? 0.0 : *std::min_element(all.begin(), all.end());
@@ -104,12 +104,12 @@ private:
     static constexpr std::size_t most_balls = 20000;
     static constexpr std::size_t nobody = ~std::size_t{0};
 
-    /// Places balls until they cover the asked part of the samples, then fits the common factor of the radii.
+    /// Places balls until they cover the requested share of the samples, then fits the common factor of the radii.
     void drop_balls() {
         const double largest = foam_.pore_radius * (1 + foam_.radius_spread);
         const Box<dim> wide{box_.lower() - Point<dim>::Constant(largest), // so that the edges are as open as the middle
                             box_.upper() + Point<dim>::Constant(largest)};
-        // Overlapping balls leave exp(-n v / V) of the space uncovered, so it can be told at once how many it takes.
+        // Overlapping balls leave exp(-n v / V) of the space uncovered, which gives the number needed.
         const double expected =
             -std::log(1 - foam_.porosity) * wide.volume() / Sphere<dim>{Point<dim>::Zero(), foam_.pore_radius}.volume();
         const auto require_few = [&](double n) {
@@ -143,7 +143,7 @@ private:
             ball = Sphere<dim>{ball.centre(), factor * ball.radius()};
     }
 
-    /// Sorts the balls into cells, so that a point is compared with the few near it only.
+    /// Sorts the balls into cells, so that a point is compared only with the few near it.
     void index_balls() {
         double largest = 0;
         for (const auto& ball : balls_)

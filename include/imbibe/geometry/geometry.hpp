@@ -1,4 +1,4 @@
-// All of the geometry room in one include, but for meshes and images: those are in input/input.hpp.
+// The whole geometry room in one include, except readers of meshes and images: those are in input/input.hpp.
 #pragma once
 
 #include <imbibe/geometry/box.hpp>

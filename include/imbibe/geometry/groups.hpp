@@ -1,4 +1,4 @@
-// Which things belong together, where that is said of two at a time.
+// Groups of things, from a list of pairs that belong together.
 #pragma once
 
 #include <cstddef>

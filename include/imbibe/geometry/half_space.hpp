@@ -7,8 +7,8 @@ namespace imbibe {
 
 /// All points behind a plane: (p - point) . normal <= 0. `normal` points out of the region; its length does not matter.
 ///
-/// It has no bounds of its own except, for a normal along an axis, the one that the plane gives. Use it in an
-/// intersection or a difference: `box & HalfSpace<3>{point, normal}`.
+/// It has no bounds of its own; only for a normal along an axis the plane is a bound. Use it in an intersection or a
+/// difference: `box & HalfSpace<3>{point, normal}`.
 template <int dim>
 class HalfSpace {
 public:
@@ -18,7 +18,7 @@ public:
         detail::require_finite<dim>("HalfSpace", "normal", normal);
         require(!normal.isZero(0), "HalfSpace: normal = ", point_text<dim>(normal),
                 " must not be zero. Give any vector that points out of the region.");
-        normal_.stableNormalize(); // also where the squares of its components have no value
+        normal_.stableNormalize(); // also if the squares of its components overflow or underflow
     }
 
     [[nodiscard]] const Point<dim>& point() const { return point_; }   ///< a point on the plane, m
@@ -30,7 +30,7 @@ public:
     /// Whether the point is behind the plane or on it.
     [[nodiscard]] bool contains(const Point<dim>& point) const { return (point - point_).dot(normal_) <= 0; }
 
-    /// Without limits, but for a normal along an axis ending at the plane.
+    /// Unbounded; for a normal along an axis the plane is a bound.
     [[nodiscard]] Box<dim> bounds() const {
         const auto everywhere = Box<dim>::everywhere();
         for (int axis = 0; axis < dim; ++axis) {

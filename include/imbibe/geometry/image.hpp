@@ -1,5 +1,4 @@
-// Bodies from images: grey values in voxels, as computed tomography makes them, with a threshold between solid and
-// pore.
+// Bodies from images: grey values in voxels, as from computed tomography, with a threshold between solid and pore.
 #pragma once
 
 #include <imbibe/geometry/passage.hpp>
@@ -22,7 +21,7 @@ namespace imbibe {
 struct GreyImage {
     std::array<int, 3> size{}; ///< voxels along x, y, z
     std::vector<float> values; ///< size[0] * size[1] * size[2] of them; x runs fastest, z slowest
-    Point<3> sides{0, 0, 0};   ///< of a voxel, in whatever unit the file has; 0 where it does not say
+    Point<3> sides{0, 0, 0};   ///< of a voxel, in the file's unit; 0 if the file does not say
 
     /// The number of a voxel in `values`.
     [[nodiscard]] std::size_t index(int x, int y, int z) const {
@@ -53,8 +52,8 @@ inline void check_image(const char* who, const GreyImage& image) {
 
 } // namespace detail
 
-/// The part of an image from voxel `first` to one before voxel `last`, along x, y and z. Throws Error where that is not
-/// in the image.
+/// The part of an image from voxel `first` to one before voxel `last`, along x, y and z. Throws Error if that is not in
+/// the image.
 [[nodiscard]] inline GreyImage crop(const GreyImage& image, const std::array<int, 3>& first,
                                     const std::array<int, 3>& last) {
     detail::check_image("crop", image);
@@ -79,16 +78,16 @@ enum class SolidIs {
     below  ///< those below the threshold
 };
 
-/// What is beyond the sides of an image.
+/// How the image continues beyond its sides.
 enum class Beyond {
-    open,     ///< nothing
+    open,     ///< empty
     solid,    ///< solid
-    mirrored, ///< the image again, turned round at its sides
-    repeated  ///< the image again, as it is
+    mirrored, ///< the mirror image
+    repeated  ///< the image repeated
 };
 
-/// How an image becomes a body. Sides, threshold and which side of it is solid have no default: nothing in a file says
-/// them surely.
+/// How an image becomes a body. Sides, threshold and which side of it is solid have no default, because files do not
+/// say them reliably.
 struct Voxels {
     Point<3> sides;                 ///< of a voxel, m: {2.25e-6, 2.25e-6, 2.25e-6}
     double threshold;               ///< grey value between solid and pore
@@ -100,12 +99,12 @@ struct Voxels {
 
 /// The solid of an image. Small: copies share the image.
 ///
-/// The grey value at a point is linear between the centres of voxels, which makes the surface smooth: of a fibre it
-/// lies within 0.22 voxels (rms), of whole voxels within 0.28.
+/// The grey value at a point is interpolated linearly between the centres of voxels, which makes the surface smooth:
+/// for a fibre it is right within 0.22 voxels (rms), with whole voxels within 0.28.
 class ImageBody {
 public:
-    /// Throws Error for an image without voxels or with values that are not finite, for sides that are not finite and
-    /// > 0 m or have other ratios than the file says, and for a threshold that leaves all solid or none.
+    /// Throws Error for an image without voxels or with values that are not finite, for sides that are not finite and >
+    /// 0 m or have other ratios than the file says, and for a threshold for which all or none is solid.
     ImageBody(GreyImage image, const Voxels& voxels)
         : image_(std::make_shared<const GreyImage>(std::move(image))), voxels_(voxels), inner_(box_of(*image_, voxels)),
           bounds_(voxels.bounds.value_or(inner_)) {
@@ -117,7 +116,7 @@ public:
     }
 
     [[nodiscard]] const GreyImage& image() const { return *image_; } ///< its grey values
-    [[nodiscard]] const Voxels& voxels() const { return voxels_; }   ///< as it was asked for
+    [[nodiscard]] const Voxels& voxels() const { return voxels_; }   ///< as requested
     [[nodiscard]] const Box<3>& image_box() const { return inner_; } ///< what the image covers, m
 
     /// Whether a voxel is solid.
@@ -146,10 +145,10 @@ public:
         return is_solid(value(at));
     }
 
-    /// The bounds as they were given, or the box of the image.
+    /// The given bounds, or the box of the image.
     [[nodiscard]] Box<3> bounds() const { return bounds_; }
 
-    /// The part of the image's voxels that are pore, 0 to 1.
+    /// The share of pore voxels in the image, 0 to 1.
     [[nodiscard]] double porosity() const {
         const auto solid = std::count_if(image_->values.begin(), image_->values.end(),
                                          [&](float v) { return is_solid(static_cast<double>(v)); });
@@ -217,7 +216,7 @@ private:
     Box<3> inner_, bounds_;
 };
 
-/// The pieces of an image's solid or pores: voxels that hang together by their faces.
+/// The pieces of an image's solid or pores: voxels connected by their faces.
 struct Pieces {
     std::vector<int> of_voxel;     ///< the piece of each voxel, from 0; -1 of the other kind
     std::vector<long long> number; ///< of voxels in each
@@ -292,8 +291,8 @@ struct Pieces {
     return pieces;
 }
 
-/// The body without what does not hang together with its largest piece: an island has nothing that holds it and swims
-/// off or falls. The grey values of their voxels become those that are most surely pore.
+/// The body without pieces that are not connected to its largest piece: nothing holds an island, so it floats off or
+/// falls. The grey values of their voxels become the most certain pore value.
 [[nodiscard]] inline ImageBody without_islands(const ImageBody& body) {
     const Pieces pieces = pieces_of(body);
     GreyImage image = body.image();

@@ -1,4 +1,4 @@
-// Says in sentences what an image of a porous body holds, before a particle is placed.
+// Reports on an image of a porous body in sentences, before particles are placed.
 #pragma once
 
 #include <imbibe/geometry/distance_transform.hpp>
@@ -13,24 +13,24 @@
 
 namespace imbibe {
 
-/// What image_report() found.
+/// The results of image_report().
 struct ImageReport {
-    double porosity;        ///< part of the voxels that are pore, 0 to 1
+    double porosity;        ///< share of pore voxels, 0 to 1
     double porosity_lower;  ///< the same with a threshold lower by 5 % of the range of grey values
     double porosity_higher; ///< and higher by as much
     int pieces;             ///< of the solid
-    double islands;         ///< part of the solid that does not hang together with its largest piece, 0 to 1
+    double islands;         ///< share of the solid that is not connected to its largest piece, 0 to 1
     std::array<bool, 3> pores_lead_through;  ///< along x, y, z
     std::array<bool, 3> solid_leads_through; ///< along x, y, z
     /// Widths of pores, m: a tenth, a half and nine tenths of the pore space is narrower (local thickness).
     std::array<double, 3> pore_widths;
-    bool sound;                         ///< whether no sentence names anything to see to
+    bool sound;                         ///< does no sentence name a problem?
     std::vector<std::string> sentences; ///< one for each finding, to print
 };
 
-/// Widths (m) that a tenth, a half and nine tenths of the pore space of an image are narrower than: of each place of it
-/// the diameter of the largest ball that covers it and fits into the pores. Found by voxels, in steps of a seventh, and
-/// up to a voxel too narrow where the middle of a pore lies between two.
+/// Pore widths (m) below which a tenth, a half and nine tenths of the pore space lie: the width at a place is the
+/// diameter of the largest ball that covers it and fits into the pores. Found by voxels, in steps of a seventh, and up
+/// to a voxel too narrow if the middle of a pore lies between two.
 ///
 /// Source: the local thickness of Hildebrand and Ruegsegger (1997).
 [[nodiscard]] inline std::array<double, 3> pore_widths(const ImageBody& body) {
@@ -86,9 +86,9 @@ struct ImageReport {
     return widths;
 }
 
-/// Looks at an image of a porous body that is to be filled with particles of a spacing (m): its porosity and how much
-/// of it hangs on the threshold, islands, whether pores and solid lead through, and how wide the pores are. Throws
-/// Error unless the spacing is finite and > 0 m.
+/// Checks an image of a porous body that is to be filled with particles of a spacing (m): its porosity and its
+/// sensitivity to the threshold, islands, whether pores and solid are connected from side to side, and the widths of
+/// the pores. Throws Error unless the spacing is finite and > 0 m.
 [[nodiscard]] inline ImageReport image_report(const ImageBody& body, double spacing) {
     detail::require_positive("image_report", "spacing", spacing, "Give the distance between particles in metres.");
     const GreyImage& image = body.image();

@@ -1,4 +1,4 @@
-// The signed distance to the surface of any shape, on a grid: how deep inside or how far outside a point lies.
+// The signed distance to the surface of any shape, on a grid.
 #pragma once
 
 #include <imbibe/core/parallel.hpp>
@@ -14,20 +14,20 @@
 
 namespace imbibe {
 
-/// A shape that knows how far a point is from its surface: `double distance(const Point<dim>&) const`, m, exact,
-/// negative inside. For other shapes LevelSet finds out, with contains() alone.
+/// A shape that has its distance to the surface: `double distance(const Point<dim>&) const`, m, exact, negative inside.
+/// For other shapes LevelSet computes it from contains() alone.
 template <class S>
 concept ShapeWithDistance = AnyShape<S> && requires(const S& shape, const Point<shape_dimension<S>>& point) {
     { shape.distance(point) } -> std::convertible_to<double>;
 };
 
 /// The signed distance (m, negative inside) to the surface of a shape, at the nodes of a grid, linear between them, and
-/// not followed further than `band`, beyond which it is -band or band.
+/// limited to -band ... band.
 ///
-/// Of a shape with a distance() the values at the nodes are exact. Of others the surface is made of flat pieces first:
-/// where a line between two nodes has one end in the shape, halving finds where it goes through the surface, and these
-/// places are the corners of the pieces (triangles of six tetrahedra a cell). On curved surfaces the error is about
-/// cell^2/(8 radius); an edge is cut off by up to 0.35 cells; what is thinner than a cell may be missed.
+/// For a shape with a distance() the values at the nodes are exact. For others flat pieces approximate the surface:
+/// where a line between two nodes has one end in the shape, bisection finds its intersection with the surface, and
+/// these points are the corners of the pieces (triangles of six tetrahedra a cell). On curved surfaces the error is
+/// about cell^2/(8 radius); an edge is cut off by up to 0.35 cells; parts thinner than a cell may be missed.
 template <int dim>
 class LevelSet {
 public:
@@ -35,8 +35,8 @@ public:
     /// @param shape any shape
     /// @param cell distance of the nodes, m
     /// @param anchor a node, m
-    /// @param band how far the distance is followed, m
-    /// @param threads how many make it; 0: all of the machine
+    /// @param band the limit of the distance, m
+    /// @param threads how many threads compute it; 0: all of the machine
     template <AnyShape S>
     LevelSet(const S& shape, double cell, const Point<dim>& anchor, double band, int threads = 0)
         : cell_(cell), band_(band), threads_(threads > 0 ? threads : available_threads()) {
@@ -68,10 +68,10 @@ public:
         volume_ = volume_of(shape);
     }
 
-    /// The signed distance at a point, m; `band` where it is further outside.
+    /// The signed distance at a point, m; at most `band` outside.
     [[nodiscard]] double operator()(const Point<dim>& point) const { return value(point, nullptr); }
-    /// The same with its gradient, without unit, which is the surface's normal, out of the shape, of length 1 but near
-    /// edges and where the distance is not followed.
+    /// The same with its gradient, without unit: the outward normal of the surface, of length 1 except near edges and
+    /// beyond the band.
     [[nodiscard]] double operator()(const Point<dim>& point, Point<dim>& gradient) const {
         return value(point, &gradient);
     }
@@ -180,7 +180,8 @@ private:
                 number += (in[static_cast<std::size_t>(c)] = inside[flat(corner(cell, c))] != 0);
             if (number == 0 || number == corners)
                 return;
-            // Where the lines between the corners of this cell go through the surface, each found when first needed.
+            // Intersections of the lines between the corners of this cell with the surface, each computed when first
+            // needed.
             std::array<Point<dim>, lines> through;
             std::array<bool, lines> known{};
             const auto crossing = [&](int from, int to) -> const Point<dim>& {
@@ -245,7 +246,7 @@ private:
         return 0.5 * (in + out);
     }
 
-    /// The shape's own volume, or that of the cells, of which those at the surface are counted in small parts.
+    /// The shape's own volume, or that of the cells, with those at the surface counted in small parts.
     template <class S>
     [[nodiscard]] double volume_of(const S& shape) const {
         if constexpr (requires { shape.volume(); }) {

@@ -1,4 +1,4 @@
-// Meshes of triangles as files have them, and what mends them: copies, gaps, pieces that face the wrong way.
+// Triangle meshes as files have them, and their repair: copies, gaps, pieces that face the wrong way.
 #pragma once
 
 #include <imbibe/geometry/facets.hpp>
@@ -18,7 +18,7 @@
 
 namespace imbibe {
 
-/// A mesh as files have it: places, and triangles that name three of them.
+/// A mesh as in a file: corners, and triangles of three corner numbers.
 struct Triangles {
     std::vector<Point<3>> corners;             ///< m
     std::vector<std::array<int, 3>> triangles; ///< numbers of corners, anticlockwise as seen from outside
@@ -27,18 +27,18 @@ struct Triangles {
 /// What mend() found and did.
 struct MeshDamage {
     long long degenerate = 0; ///< triangles without area that were dropped
-    long long copies = 0;     ///< triangles that were there more than once, and were dropped but for one
-    long long inner = 0;      ///< triangles between two bodies that touch, which were dropped
-    long long flipped = 0;    ///< triangles that were turned to face as their neighbours do
+    long long copies = 0;     ///< duplicate triangles that were dropped
+    long long inner = 0;      ///< triangles between two touching bodies that were dropped
+    long long flipped = 0;    ///< triangles that were turned to face like their neighbours
     int inside_out = 0;       ///< pieces that faced inwards, and were turned
-    long long open_edges = 0; ///< edges of one triangle only, after all this: the surface has gaps there
-    long long odd_edges = 0;  ///< edges of more than two triangles, after all this
-    int parts = 0;            ///< pieces of surface that hang together by edges
+    long long open_edges = 0; ///< edges of one triangle only that are left: gaps in the surface
+    long long odd_edges = 0;  ///< edges of more than two triangles that are left
+    int parts = 0;            ///< pieces of surface connected by edges
 };
 
 namespace detail {
 
-/// The same corner number for all corners in one place, or nearer than a millionth of the mesh's size.
+/// Gives the same corner number to all corners nearer to each other than a millionth of the mesh's size.
 inline Triangles welded(const Triangles& mesh) {
     Point<3> lower = mesh.corners.front(), upper = lower;
     for (const auto& x : mesh.corners) {
@@ -76,8 +76,8 @@ inline Triangles welded(const Triangles& mesh) {
     return result;
 }
 
-/// An edge of a triangle, from the corner of the lower number to that of the higher, and whether the triangle goes
-/// along it the other way.
+/// An edge of a triangle, from the lower corner number to the higher, and whether the triangle runs along it the other
+/// way.
 struct Edge {
     int low, high;
     std::uint32_t triangle;
@@ -89,7 +89,7 @@ struct Edge {
     [[nodiscard]] bool along(const Edge& other) const { return low == other.low && high == other.high; }
 };
 
-/// Calls f(first, last) for the edges of all triangles, those along one line together.
+/// Calls f(first, last) for the edges of all triangles, grouped by line.
 template <class F>
 void for_edges(const std::vector<std::array<int, 3>>& triangles, const F& f) {
     std::vector<Edge> edges;
@@ -114,8 +114,8 @@ inline Point<3> double_area(const Triangles& mesh, const std::array<int, 3>& t) 
     return cross(a, b);
 }
 
-/// The volume inside a closed mesh, from the middle of its first corner, so that a mesh far from the origin keeps its
-/// digits; negative where it faces inwards.
+/// The volume inside a closed mesh, relative to its first corner, so that a mesh far from the origin keeps its digits;
+/// negative if it faces inwards.
 inline double signed_volume(const Triangles& mesh) {
     const Point<3> origin = mesh.corners.empty() ? Point<3>::Zero() : mesh.corners.front();
     double sum = 0;
@@ -134,8 +134,8 @@ inline double part_of_a_turn(const Facet<3>& facet, const Point<3>& point) {
            (2 * std::numbers::pi);
 }
 
-/// Leaves one triangle of each set of three corners. Returns, for each that is left, whether there were some that faced
-/// the other way.
+/// Leaves one triangle of each set of three corners. Returns, for each that is left, whether there were copies that
+/// faced the other way.
 inline std::vector<char> keep_one_of_each(std::vector<std::array<int, 3>>& triangles, MeshDamage& found) {
     const auto turns_up = [](const std::array<int, 3>& t) { // from its least corner on, up or down?
         const auto least = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
@@ -167,7 +167,7 @@ inline std::vector<char> keep_one_of_each(std::vector<std::array<int, 3>>& trian
     return both_ways;
 }
 
-/// Triangles that hang together across edges of two.
+/// Triangles connected across edges of two.
 inline Groups pieces_of(const std::vector<std::array<int, 3>>& triangles) {
     Groups groups(triangles.size());
     for_edges(triangles, [&](auto first, auto last) {
@@ -177,7 +177,7 @@ inline Groups pieces_of(const std::vector<std::array<int, 3>>& triangles) {
     return groups;
 }
 
-/// Drops pieces that were there facing both ways and end at other pieces: walls between two bodies.
+/// Drops pieces that exist facing both ways and end at other pieces: walls between two bodies.
 inline void drop_walls_between(std::vector<std::array<int, 3>>& triangles, const std::vector<char>& both_ways,
                                MeshDamage& found) {
     Groups pieces = pieces_of(triangles);
@@ -199,7 +199,7 @@ inline void drop_walls_between(std::vector<std::array<int, 3>>& triangles, const
     triangles.swap(kept);
 }
 
-/// Turns triangles: each to face as most of its piece does, and pieces outwards, but for those round a cavity.
+/// Turns triangles to face as most of their piece does, and pieces outwards, except those around a cavity.
 inline void face_outwards(Triangles& mesh, MeshDamage& found) {
     auto& triangles = mesh.triangles;
     const auto turn = [&](std::size_t t) { std::swap(triangles[t][1], triangles[t][2]); };
@@ -248,7 +248,7 @@ inline void face_outwards(Triangles& mesh, MeshDamage& found) {
     };
     if (pieces.size() > 1 && pieces.size() <= 1000) // not of a soup
         for (std::size_t p = 0; p < pieces.size(); ++p) {
-            double volume = 0, turns = 0; // of the piece; of the others round it
+            double volume = 0, turns = 0; // of the piece; of the others around it
             const Point<3> place = facet(pieces[p][0])[0];
             for (const auto t : pieces[p])
                 volume += (facet(t)[0] - place).dot(double_area(mesh, triangles[t])) / 6;
@@ -267,15 +267,14 @@ inline void face_outwards(Triangles& mesh, MeshDamage& found) {
 
 } // namespace detail
 
-/// The mesh mended: corners in one place become one, triangles without area are dropped, of triangles that are there
-/// twice one is kept (none where two bodies share a wall), those that face the wrong way are turned to face as most of
-/// their piece do, and whole pieces that face inwards, but for those round a cavity. Gaps stay open: what is inside is
-/// decided by TriangleMesh all the same.
+/// Repairs the mesh: corners in one place become one, triangles without area are dropped, one of duplicate triangles is
+/// kept (none where two bodies share a wall), triangles that face the wrong way are turned to face as most of their
+/// piece, and so are whole pieces that face inwards, except around a cavity. Gaps stay open: TriangleMesh decides what
+/// is inside even so.
 ///
-/// Throws Error for a mesh without triangles, for corners that are not finite, and for numbers of corners that are not
-/// there.
-/// @param mesh as it was read
-/// @param damage what was found, if asked for
+/// Throws Error for a mesh without triangles, for corners that are not finite, and for missing corner numbers.
+/// @param mesh as read
+/// @param damage receives what was found, if given
 [[nodiscard]] inline Triangles mend(const Triangles& mesh, MeshDamage* damage = nullptr) {
     require(!mesh.triangles.empty(), "mend: the mesh has no triangles. Look at the file it is from.");
     for (std::size_t i = 0; i < mesh.corners.size(); ++i)

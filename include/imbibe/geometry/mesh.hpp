@@ -1,4 +1,4 @@
-// Bodies whose surface is a mesh of triangles, used as any other shape.
+// Bodies whose surface is a triangle mesh, used as any other shape.
 #pragma once
 
 #include <imbibe/core/parallel.hpp>
@@ -21,10 +21,10 @@ namespace imbibe {
 
 /// The body inside a mesh of triangles. Small: copies share the mesh.
 ///
-/// A point is inside where the mesh goes round it more than half a time: its generalised winding number, the solid
-/// angle of all triangles over 4 pi, is above a half. That needs no closed surface: gaps and overlaps change it little,
-/// and bodies that overlap are one. The triangles are in a tree; of a far branch the moments of its areas stand for the
-/// triangles. Blocks of space that the surface does not come near are settled once, so that most points cost nothing.
+/// A point is inside if the mesh's generalised winding number, the solid angle of all triangles over 4 pi, is above a
+/// half. That needs no closed surface: gaps and overlaps change it little, and overlapping bodies are one. The
+/// triangles are in a tree; far branches are replaced by the moments of their areas. Blocks of space away from the
+/// surface are decided once, so that most points cost nothing.
 ///
 /// Source: Jacobson, Kavan and Sorkine-Hornung (2013); Barill, Dickson, Schmidt, Levin and Jacobson (2018), with a
 /// dipole and its first derivative, beyond 2 radii of a branch.
@@ -42,7 +42,7 @@ public:
         data->tree = FacetTree<3>(std::move(facets));
         data->take_moments();
         const auto& root = data->tree.nodes().front();
-        const double least = 1e-9 * (root.upper - root.lower).norm(); // a flat mesh has a box all the same
+        const double least = 1e-9 * (root.upper - root.lower).norm(); // a flat mesh needs a box as well
         for (int axis = 0; axis < 3; ++axis) {
             data->lower[axis] = root.lower[axis];
             data->upper[axis] = std::max(root.upper[axis], root.lower[axis] + least);
@@ -56,13 +56,13 @@ public:
         data_ = std::move(data);
     }
 
-    /// How often the mesh goes round a point: 1 inside a closed one, 0 outside.
+    /// The winding number at a point: 1 inside a closed mesh, 0 outside.
     [[nodiscard]] double winding_number(const Point<3>& point) const { return data_->winding(point); }
 
     /// Whether the point is inside.
     [[nodiscard]] bool contains(const Point<3>& point) const { return data_->contains(point); }
 
-    /// Distance to the nearest triangle, m, negative inside. Triangles inside of another body of the mesh do not count.
+    /// Distance to the nearest triangle, m, negative inside. Triangles inside another body of the mesh do not count.
     [[nodiscard]] double distance(const Point<3>& point) const {
         const double away = data_->surface->distance(point);
         return data_->contains(point) ? -away : away;
@@ -71,14 +71,14 @@ public:
     /// The tightest axis-aligned box.
     [[nodiscard]] Box<3> bounds() const { return {data_->lower, data_->upper}; }
 
-    /// Of the body, m^3. Exact where the mesh is closed and no bodies overlap; else counted from points, eight in each
-    /// of the 64^3 blocks that the surface runs through, which takes a moment.
+    /// Volume of the body, m^3. Exact if the mesh is closed and no bodies overlap; else counted from points, eight in
+    /// each of the 64^3 blocks that the surface crosses, which takes a moment.
     [[nodiscard]] double volume() const {
         return data_->volume > 0 ? data_->volume : data_->counted_volume(available_threads());
     }
 
-    [[nodiscard]] const MeshDamage& damage() const { return data_->damage; } ///< what was mended, and what is left
-    /// The triangles after mending, m, anticlockwise as seen from outside.
+    [[nodiscard]] const MeshDamage& damage() const { return data_->damage; } ///< what was repaired, and what is left
+    /// The triangles after repair, m, anticlockwise as seen from outside.
     [[nodiscard]] const std::vector<Facet<3>>& facets() const { return data_->tree.facets(); }
 
 private:
@@ -147,7 +147,7 @@ private:
             return sum;
         }
 
-        /// A surface of those triangles only that have inside on one side and outside on the other.
+        /// A surface of only those triangles that have inside on one side and outside on the other.
         void drop_hidden(int threads) {
             std::vector<char> hidden(tree.facets().size(), 0);
             const double step = 1e-6 * (upper - lower).norm();
@@ -176,14 +176,14 @@ private:
                 settle({k % coarse, k / coarse % coarse, k / (coarse * coarse)}, blocks / coarse);
             });
         }
-        /// Settles a cube of `size` blocks a side, number `at` along each axis, or its eight parts.
+        /// Decides a cube of `size` blocks a side, number `at` along each axis, or its eight parts.
         void settle(const std::array<int, 3>& at, int size) {
             const Point<3> block = (upper - lower) / blocks;
             Point<3> middle;
             for (int axis = 0; axis < 3; ++axis)
                 middle[axis] = lower[axis] + (at[static_cast<std::size_t>(axis)] + 0.5) * size * block[axis];
             const double radius = 0.5 * size * block.norm();
-            // Beside a gap the winding number changes where no triangle is: there the block must be clear of a half.
+            // At a gap the winding number changes without a triangle: there the block must be clear of a half.
             const double clear = damage.open_edges > 0 ? 0.25 : 0, away = damage.open_edges > 0 ? 2 * radius : radius;
             double turns = 0;
             if (tree.distance(middle, away) >= away && std::abs((turns = winding(middle)) - 0.5) >= clear) {
@@ -210,7 +210,7 @@ private:
                         continue;
                     }
                     for (int part = 0; part < parts; ++part) {
-                        // Anywhere in its part of the block, as faces along the blocks would hit or miss all.
+                        // At random in its part of the block, because faces along the blocks would hit or miss all.
                         const auto number = static_cast<std::uint64_t>((z * blocks * blocks + k) * 8 + part);
                         Point<3> at(k % blocks, static_cast<double>(k / blocks), z);
                         for (int axis = 0; axis < 3; ++axis)

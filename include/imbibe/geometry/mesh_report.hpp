@@ -1,4 +1,4 @@
-// Says in sentences what a mesh is and what is wrong with it, before a particle is placed.
+// Reports on a mesh and its problems in sentences, before particles are placed.
 #pragma once
 
 #include <imbibe/geometry/fill.hpp>
@@ -11,19 +11,19 @@
 
 namespace imbibe {
 
-/// What mesh_report() found.
+/// The results of mesh_report().
 struct MeshReport {
-    Point<3> size;                      ///< lengths of the sides of the box round it, m
+    Point<3> size;                      ///< lengths of the sides of its bounding box, m
     double volume;                      ///< m^3
-    double thin;                        ///< part of the volume that is thinner than three spacings, 0 to 1
-    double volume_error;                ///< by how much the particles of fill() have more volume, without unit
-    MeshDamage damage;                  ///< what was mended, and what is left
-    bool sound;                         ///< whether no sentence names anything to see to
+    double thin;                        ///< share of the volume that is thinner than three spacings, 0 to 1
+    double volume_error;                ///< relative excess of the volume of the particles of fill(), without unit
+    MeshDamage damage;                  ///< what was repaired, and what is left
+    bool sound;                         ///< does no sentence name a problem?
     std::vector<std::string> sentences; ///< one for each finding, to print
 };
 
-/// Compares a mesh with the particle spacing (m) that it is to be filled with: its size, damage, thin parts, and what
-/// a lattice makes of its volume. Throws Error unless the spacing is finite and > 0 m.
+/// Compares a mesh with the particle spacing (m) that will fill it: its size, damage, thin parts, and its volume on a
+/// lattice. Throws Error unless the spacing is finite and > 0 m.
 [[nodiscard]] inline MeshReport mesh_report(const TriangleMesh& mesh, double spacing) {
     detail::require_positive("mesh_report", "spacing", spacing, "Give the distance between particles in metres.");
     const Point<3> size = mesh.bounds().size();
@@ -66,7 +66,7 @@ struct MeshReport {
     if (damage.degenerate > 0)
         say(false, text(plural(damage.degenerate, "triangle", "triangles"), " without area were dropped."));
 
-    if (across > 3000 || across < 0.5) { // more memory than a wrong unit is worth
+    if (across > 3000 || across < 0.5) { // a wrong unit would take too much memory
         say(true, "Its volume at this spacing was not looked at.");
         return report;
     }

@@ -1,4 +1,4 @@
-// The body that particles make up, as a shape: to pack it anew where it has been deformed.
+// The body that particles form, as a shape: to pack a deformed body anew.
 #pragma once
 
 #include <imbibe/geometry/image.hpp>
@@ -13,8 +13,8 @@ namespace imbibe {
 /// @param points of the particles, m; those outside are taken into the cell
 /// @param cell the periodic cell, m
 /// @param spacing of the particles, m; each stands for spacing^3
-/// @throws Error for no particles, points that are not finite, a cell narrower than 4 spacings, and particles that take
-/// no part or all of the cell
+/// @throws Error for no particles, points that are not finite, a cell narrower than 4 spacings, and particles that fill
+/// none or all of the cell
 [[nodiscard]] inline ImageBody body_of_particles(const std::vector<Point<3>>& points, const Box<3>& cell,
                                                  double spacing) {
     constexpr const char* who = "body_of_particles";

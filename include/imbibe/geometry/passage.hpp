@@ -1,4 +1,4 @@
-// How wide a sponge really is open: the largest ball that finds a way through it.
+// The open width of a sponge: the largest ball that passes through it.
 #pragma once
 
 #include <imbibe/geometry/distance_transform.hpp>
@@ -14,13 +14,13 @@
 namespace imbibe {
 
 /// The diameter (m) of the largest ball that can travel through the gaps of a solid shape, from the low to the high
-/// face of its bounds along `axis`, without touching the solid; 0 if no gap leads through. What lies outside the
-/// bounds counts as open.
+/// face of its bounds along `axis`, without touching the solid; 0 if no gap leads through. The space outside the bounds
+/// counts as open.
 ///
-/// Found on a lattice of cells of about `cell` metres: distance of every open cell to the solid, then cells joined
-/// from the widest down until the two faces are connected. Up to two cells too wide, because distances run between
-/// centres of cells, and up to one and a half too narrow where the middle of a pore lies between them. Takes about 20
-/// bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of range or more than 1e8 cells
+/// Found on a lattice of cells of about `cell` metres: the distance of every open cell to the solid, then cells are
+/// joined from the widest down until the two faces are connected. Up to two cells too wide, because distances run
+/// between centres of cells, and up to one and a half too narrow if the middle of a pore lies between them. Takes about
+/// 20 bytes of memory for each cell of the bounds. Throws Error if axis or cell are out of range or more than 1e8 cells
 /// result.
 template <AnyShape S>
 [[nodiscard]] double widest_passage(const S& solid, int axis, double cell) {

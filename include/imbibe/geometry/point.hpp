@@ -25,7 +25,7 @@ template <int dim>
 
 namespace detail {
 
-/// a x b. (Eigen's own is in a header that brings its decompositions with it.)
+/// a x b. (Eigen's own is in a header that includes its decompositions.)
 inline Point<3> cross(const Point<3>& a, const Point<3>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

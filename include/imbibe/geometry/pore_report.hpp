@@ -1,4 +1,4 @@
-// Says in a sentence whether water can pass the pores of a sponge at a given particle spacing.
+// Reports in a sentence whether water can pass the pores of a sponge at a given particle spacing.
 #pragma once
 
 #include <imbibe/geometry/shape.hpp>
@@ -18,22 +18,22 @@ concept PorousShape = AnyShape<S> && requires(const S& sponge) {
 
 /// How well particles resolve a pore.
 enum class PoreGrade {
-    closed, ///< narrower than two particles: single particles at most pass, whatever the physics says
+    closed, ///< narrower than two particles: at most single particles pass, whatever the physics
     narrow, ///< two to eight particles: open, but the resistance to flow is off by more than about 15 %
     open    ///< eight particles or more
 };
 
-/// What pore_report() found.
+/// The results of pore_report().
 struct PoreReport {
     double width;         ///< largest ball that passes, m
     double particles;     ///< the same in particle spacings
     double porosity;      ///< open part of the box, 0 to 1
     PoreGrade grade;      ///< the verdict
-    std::string sentence; ///< all of it, to print
+    std::string sentence; ///< the results in words, to print
 };
 
-/// Compares the pores of a sponge with the particle spacing (m) of the finest phase that is to pass them. Throws
-/// Error unless the spacing is finite and > 0 m.
+/// Compares the pores of a sponge with the particle spacing (m) of the finest phase that must pass them. Throws Error
+/// unless the spacing is finite and > 0 m.
 template <PorousShape S>
 [[nodiscard]] PoreReport pore_report(const S& sponge, double spacing) {
     detail::require_positive("pore_report", "spacing", spacing, "Give the distance between particles in metres.");

@@ -17,7 +17,7 @@ enum class PoreShape {
     hexagonal ///< a regular hexagon with two corners on the line through its centre along the first cross axis
 };
 
-/// What a regular array of straight pores is described by. Cross axes are those other than `axis`, in ascending order.
+/// The parameters of a regular array of straight pores. Cross axes are those other than `axis`, in ascending order.
 template <int dim>
 struct Pores {
     std::array<int, static_cast<std::size_t>(dim - 1)> count{}; ///< pores along each cross axis, at least 1
@@ -28,8 +28,8 @@ struct Pores {
     Point<dim> offset = Point<dim>::Zero(); ///< moves the array off the middle of the slab, m
 };
 
-/// A box minus an array of straight pores that run right through it, centred in the box but for `offset`. The walls
-/// of the pores belong to the solid.
+/// A box minus an array of straight pores through it, centred in the box except for `offset`. The walls of the pores
+/// belong to the solid.
 template <int dim>
 class PerforatedSlab {
 public:
@@ -60,10 +60,11 @@ public:
     }
 
     [[nodiscard]] const Box<dim>& slab() const { return slab_; }          ///< the box without its pores
-    [[nodiscard]] const Pores<dim>& pores() const { return pores_; }      ///< the array as it was asked for
+    [[nodiscard]] const Pores<dim>& pores() const { return pores_; }      ///< the array as requested
     [[nodiscard]] double pore_width() const { return 2 * pores_.radius; } ///< clear width of a pore, m
 
-    /// The part of the slab that is pore, 0 to 1 (exact): number of pores times cross-section by the slab's.
+    /// The share of the slab that is pore, 0 to 1 (exact): number of pores times pore cross-section over that of the
+    /// slab.
     [[nodiscard]] double porosity() const {
         const double r = pores_.radius;
         double open = 2 * r;
@@ -80,7 +81,7 @@ public:
         return open / area;
     }
 
-    /// Whether the point is in a pore, taken as running on without end on both sides of the slab.
+    /// Whether the point is in a pore, extended infinitely on both sides of the slab.
     [[nodiscard]] bool in_pore(const Point<dim>& point) const {
         std::array<double, static_cast<std::size_t>(dim - 1)> offset; // from the centre of the nearest pore
         for (std::size_t k = 0; k < dim - 1; ++k) {
@@ -111,7 +112,7 @@ public:
     [[nodiscard]] Box<dim> bounds() const { return slab_; }
 
 private:
-    /// Cross axis number k: the axes of space without the one the pores run along.
+    /// Cross axis number k: the axes of space except that of the pores.
     [[nodiscard]] int cross_axis(std::size_t k) const {
         const auto axis = static_cast<int>(k);
         return axis < pores_.axis ? axis : axis + 1;

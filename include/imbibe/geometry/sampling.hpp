@@ -1,5 +1,5 @@
-// Numbers without a state: repeatable random numbers and evenly spread sample points, the same on every machine and
-// with every standard library; and what can be measured with them: volume fractions and levels.
+// Stateless numbers: repeatable random numbers and evenly spread sample points, the same on every machine and with
+// every standard library; and measurements with them: volume fractions and levels.
 #pragma once
 
 #include <imbibe/geometry/shape.hpp>
@@ -39,7 +39,7 @@ template <int dim>
     return point;
 }
 
-/// The part (0 to 1) of the bounded box `box` that the shape fills, from `samples` evenly spread points; with the
+/// The share (0 to 1) of the bounded box `box` that the shape fills, from `samples` evenly spread points; with the
 /// default the error is below about 0.002. Throws Error if the box is unbounded or samples is 0.
 template <AnyShape S>
 [[nodiscard]] double volume_fraction(const S& shape, const Box<shape_dimension<S>>& box,
@@ -54,7 +54,7 @@ template <AnyShape S>
 
 namespace detail {
 
-/// The level below which the part `fraction` (0 to 1) of the values lies. Reorders the values.
+/// The level below which the share `fraction` (0 to 1) of the values lies. Reorders the values.
 inline double level_of(std::vector<double>& values, double fraction) {
     const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size()));
     const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;

@@ -1,4 +1,4 @@
-// What a shape is: something that says which points it contains and in which box it lies.
+// What a shape is: a type that says which points it contains and which box bounds it.
 #pragma once
 
 #include <imbibe/geometry/box.hpp>
@@ -9,10 +9,9 @@
 
 namespace imbibe {
 
-/// A region of `dim`-dimensional space. A small value type with two members:
-/// `bool contains(const Point<dim>&) const` and `Box<dim> bounds() const`, a box (m) outside which it has no point.
-/// Bounds need not be tight, but fill() starts its lattice in their lower corner. Any type of a user's own that has
-/// the two members is a shape.
+/// A region of `dim`-dimensional space. A small value type with two members: `bool contains(const Point<dim>&) const`
+/// and `Box<dim> bounds() const`, a box (m) outside which it has no point. Bounds need not be tight, but fill() starts
+/// its lattice in their lower corner. Any user type with the two members is a shape.
 template <class S, int dim>
 concept Shape = std::copy_constructible<S> && requires(const S& shape, const Point<dim>& point) {
     { shape.contains(point) } -> std::same_as<bool>;
@@ -34,7 +33,7 @@ using BoundsOf = std::remove_cvref_t<decltype(std::declval<const S&>().bounds())
 
 } // namespace detail
 
-/// A shape whose number of dimensions is read off its bounds().
+/// A shape whose number of dimensions follows from its bounds().
 template <class S>
 concept AnyShape = requires(const S& shape) {
     shape.bounds();

@@ -33,13 +33,13 @@ enum class Sides : unsigned {
     return (static_cast<unsigned>(sides) >> (2 * axis + end) & 1u) != 0;
 }
 
-/// Positions (m) of the wall particles of a tank whose inside is `inner`: `layers` layers on every side that is not
-/// in `open`, corners and edges included. The first layer lies half a spacing outside the inner face, the next ones a
-/// spacing apart. Open sides (the top, or the two sides across a periodic axis) have no wall; the walls beside them
-/// end at the inner face.
+/// Positions (m) of the wall particles of a tank whose inside is `inner`: `layers` layers on every side that is not in
+/// `open`, with corners and edges. The first layer lies half a spacing outside the inner face, the next ones a spacing
+/// apart. Open sides (the top, or the two sides across a periodic axis) have no wall; the walls beside them end at the
+/// inner face.
 ///
-/// Along a wall the particles are one spacing apart if that side of `inner` is a whole number of spacings, else
-/// evenly spread with the nearest whole number of them.
+/// Along a wall the particles are one spacing apart if that side of `inner` is a whole number of spacings, else evenly
+/// spread with the nearest whole number of spacings.
 ///
 /// Throws Error if the spacing is not finite and > 0 m or longer than a side of `inner`, layers < 1, all sides are
 /// open, or a side across z is named in 2D.

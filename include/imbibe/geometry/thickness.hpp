@@ -1,4 +1,4 @@
-// How much of a shape is thinner than a width.
+// The share of a shape that is thinner than a width.
 #pragma once
 
 #include <imbibe/geometry/distance_transform.hpp>
@@ -11,11 +11,11 @@
 
 namespace imbibe {
 
-/// The part (0 to 1) of a shape that is thinner than `width`, m: that no ball of this diameter covers which has room in
-/// the shape. Edges and corners belong to it, as a ball does not reach into them.
+/// The share (0 to 1) of a shape that is thinner than `width`, m: the part that no ball of this diameter covers that
+/// fits into the shape. Edges and corners count, because no ball reaches into them.
 ///
-/// On the nodes of a grid of width/6, where a width is right within a cell. Throws Error as LevelSet does, and unless
-/// the width is finite and > 0 m.
+/// Computed on the nodes of a grid of width/6, so a width is right within a cell. Throws Error as LevelSet does, and
+/// unless the width is finite and > 0 m.
 ///
 /// Source: the local thickness of Hildebrand and Ruegsegger (1997), for one width.
 template <AnyShape S>

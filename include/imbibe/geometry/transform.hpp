@@ -22,7 +22,7 @@ public:
 
     /// Whether the shape contains the point's place before the transformation.
     [[nodiscard]] bool contains(const Point<dim>& point) const { return shape_.contains(before(point)); }
-    /// Distance to the surface, m, negative inside; of a shape that has one.
+    /// Distance to the surface, m, negative inside; for a shape that has one.
     [[nodiscard]] double distance(const Point<dim>& point) const requires requires(const S& shape) {
         shape.distance(Point<dim>{});
     }
@@ -33,7 +33,7 @@ public:
         const Box<dim> box = shape_.bounds();
         if (turn_ == Matrix::Identity() && box.bounded())
             return Box<dim>{image(box.lower()), image(box.upper())};
-        if (!box.bounded()) // a bound at infinity times a zero of the matrix has no value
+        if (!box.bounded()) // a bound at infinity times a zero of the matrix is NaN
             return Box<dim>::everywhere();
         Point<dim> lower = image(box.lower());
         Point<dim> upper = lower;
@@ -48,12 +48,12 @@ public:
         return Box<dim>{lower, upper};
     }
 
-    /// Of a shape that has one, m^dim.
+    /// Volume, m^dim, for a shape that has one.
     [[nodiscard]] double volume() const requires requires(const S& shape) { shape.volume(); }
     { return std::pow(factor_, dim) * shape_.volume(); }
     [[nodiscard]] const S& shape() const { return shape_; } ///< the shape before the transformation
-    [[nodiscard]] double factor() const { return factor_; } ///< by how much it is enlarged
-    /// Where the transformation takes a point (m) of the shape.
+    [[nodiscard]] double factor() const { return factor_; } ///< enlargement
+    /// The image of a point (m) of the shape.
     [[nodiscard]] Point<dim> image(const Point<dim>& point) const {
         return about_ + turn_ * (point - about_) * factor_ + shift_;
     }
@@ -108,7 +108,7 @@ requires(shape_dimension<S> == 3)
     detail::require_finite<3>("rotated", "about", about);
     require(!axis.isZero(0), "rotated: axis = ", point_text<3>(axis),
             " must not be zero. Give any vector along the axis of rotation.");
-    // Rodrigues: c 1 + (1 - c) n n^T + s [n]x. Eigen's AngleAxis is in a header that brings its decompositions with it.
+    // Rodrigues: c 1 + (1 - c) n n^T + s [n]x. Eigen's AngleAxis is in a header that includes its decompositions.
     const Point<3> n = axis.stableNormalized(), across = std::sin(angle) * n;
     typename Transformed<S>::Matrix turn = (1 - std::cos(angle)) * n * n.transpose();
     turn.diagonal().array() += std::cos(angle);

@@ -21,7 +21,7 @@ enum class SolidForm {
     sheet    ///< |f| <= t: a curved wall between two separate pore spaces
 };
 
-/// What such a sponge is described by.
+/// The parameters of such a sponge.
 struct PeriodicSponge {
     PeriodicSurface surface = PeriodicSurface::gyroid; ///< the surface
     double cell = 0;                                   ///< edge of the repeating cube, m
@@ -29,10 +29,10 @@ struct PeriodicSponge {
     SolidForm form = SolidForm::network;               ///< struts or walls
 };
 
-/// A box filled with a triply periodic sponge whose cells start in the box's lower corner. The level t is found from
-/// evenly spread samples of f over this very box, so that the solid fraction is met within 0.01, whole cells or not.
-/// (Particles may see a few hundredths more or less: where a cell is a small whole number of spacings, all cells are
-/// hit in the same places.)
+/// A box filled with a triply periodic sponge whose cells start in the box's lower corner. The level t is fitted to
+/// evenly spread samples of f over this box, so that the solid fraction is met within 0.01, for whole cells or not.
+/// (The fraction of particles may differ by a few hundredths: if a cell is a small whole number of spacings, the
+/// lattice samples all cells at the same places.)
 class TriplyPeriodic {
 public:
     /// Throws Error if the cell is not finite and > 0 m or longer than a side of the box, or if with this fraction
@@ -45,8 +45,8 @@ public:
                 " m is longer than the shortest side of the box, ", box.size().minCoeff(),
                 " m. Take a smaller cell or a larger box.");
         std::vector<double> values(samples);
-        double low = 0;  // part of the box below the least level at which the solid hangs together
-        double high = 0; // part of the box below the largest level at which the pores do
+        double low = 0;  // share of the box below the least level at which the solid is connected
+        double high = 0; // share of the box below the largest level at which the pores are connected
         const double pinched = sponge.surface == PeriodicSurface::gyroid ? std::numbers::sqrt2 : 1.0;
         for (std::size_t i = 0; i < samples; ++i) {
             values[i] = depth(even_point(box, i));
@@ -63,7 +63,7 @@ public:
         level_ = detail::level_of(values, sponge.solid_fraction);
     }
 
-    [[nodiscard]] const PeriodicSponge& sponge() const { return sponge_; } ///< as it was asked for
+    [[nodiscard]] const PeriodicSponge& sponge() const { return sponge_; } ///< as requested
     [[nodiscard]] double level() const { return level_; }                  ///< t in f <= t or |f| <= t
 
     /// The open part of the box, 0 to 1, measured on samples other than those the level was fitted to.
@@ -74,7 +74,7 @@ public:
         return static_cast<double>(open) / static_cast<double>(samples);
     }
 
-    /// Diameter (m) of the largest ball that passes from cell to cell, right within 1/32 of a cell.
+    /// Diameter (m) of the largest ball that passes from cell to cell, accurate to 1/32 of a cell.
     [[nodiscard]] double pore_width() const {
         const Point<3> corner = box_.lower();
         TriplyPeriodic piece = *this;

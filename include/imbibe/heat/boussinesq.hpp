@@ -1,4 +1,4 @@
-// Warm fluid rises: the weight of a fluid that expands with its temperature.
+// Natural convection: the buoyancy of a fluid that expands with its temperature.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -14,7 +14,7 @@ namespace imbibe {
 /// Coefficients of Boussinesq.
 struct BoussinesqParameters {
     double thermal_expansion = 0;        ///< beta, 1/K: water at 20 degrees Celsius 2.1e-4, air 3.4e-3
-    double neutral_temperature = 293.15; ///< T_n, K: at which nothing rises or sinks
+    double neutral_temperature = 293.15; ///< T_n, K: the temperature without buoyancy
 
     /// Throws Error for a number out of range. @param where the phase in the message
     void check(std::string_view where) const {
@@ -27,10 +27,10 @@ struct BoussinesqParameters {
     }
 };
 
-/// dv_a/dt = - beta (T_a - T_n) g, in m/s^2: the weight that a fluid lacks where it is warm. The density of its
-/// particles stays that of their pressure.
+/// dv_a/dt = - beta (T_a - T_n) g, in m/s^2: the buoyancy of warm fluid. The density of its particles remains that of
+/// their pressure.
 ///
-/// Not where beta times the differences of temperature is above 0.1 or so: volumes change there.
+/// Not where beta times the temperature differences exceeds about 0.1: the change of volume then matters.
 ///
 /// Source: Boussinesq (1903); Oberbeck (1879).
 struct Boussinesq {
@@ -48,13 +48,13 @@ struct Boussinesq {
     using parts = Parts<Rise>;
 };
 
-/// beta (T_n - T_f) rho_f g.(x_a - x_f) W_af, Pa/m^3, added to what PressureExtrapolation sums up: what a fluid with
-/// Boussinesq lacks of its weight. `Into` the wall or solid, beside PressureExtrapolation.
+/// beta (T_n - T_f) rho_f g.(x_a - x_f) W_af, Pa/m^3, added to the sum of PressureExtrapolation: the buoyancy of a
+/// fluid with Boussinesq. `Into` the wall or solid, beside PressureExtrapolation.
 ///
-/// Without it the pressure of the wall rises downwards as if the fluid had no expansion, and the fluid feels at the
-/// wall a force that is not there.
+/// Without it the pressure of the wall rises downwards as if the fluid did not expand, and the wall exerts a spurious
+/// force on the fluid.
 ///
-/// Not for a fluid without Boussinesq: its coefficients are asked for.
+/// Not for a fluid without Boussinesq, whose coefficients it needs.
 ///
 /// Source: as PressureExtrapolation, with the fluid's whole weight.
 template <class Kernel = WendlandC2>

@@ -1,4 +1,4 @@
-// Heat that flows from warm particles to cold ones, inside a phase and between phases.
+// Heat conduction between particles, inside a phase and between phases.
 #pragma once
 
 #include <imbibe/core/lattice.hpp>
@@ -14,27 +14,27 @@
 
 namespace imbibe {
 
-/// sum_b V_b |grad_a W_ab| |x_ab|/dim over all that a particle exchanges heat with, without unit: 1 inside, 1/2 at a
-/// surface that is insulated.
+/// sum_b V_b |grad_a W_ab| |x_ab|/dim over all particles that exchange heat with it, without unit: 1 inside, 1/2 at an
+/// insulated surface.
 struct ConductionMoment : Field<Rank::scalar> {
     static constexpr std::string_view name = "conduction_moment", unit = "1";
 };
 inline constexpr ConductionMoment conduction_moment{};
 
-/// sum_b V_b |grad_a W_ab|/|x_ab| H^2 over the same and itself, without unit: how stiff the exchange is.
+/// sum_b V_b |grad_a W_ab|/|x_ab| H^2 over these and itself, without unit: the stiffness of the exchange.
 struct ConductionStiffness : Field<Rank::scalar> {
     static constexpr std::string_view name = "conduction_stiffness", unit = "1";
 };
 inline constexpr ConductionStiffness conduction_stiffness{};
 
-/// What makes up for neighbours that are missing, without unit: 1 inside.
+/// Correction for missing neighbours, without unit: 1 inside.
 struct ConductionCorrection : Field<Rank::scalar> {
     static constexpr std::string_view name = "conduction_correction", unit = "1";
 };
 inline constexpr ConductionCorrection conduction_correction{};
 
 namespace detail {
-// The limit on the step, s, of the particles of one phase that exchange heat with the conductivity k.
+// The time step limit, s, of the particles of one phase that exchange heat with the conductivity k.
 template <class Kernel>
 double conduction_limit(const auto& material, double k, const TimeStepInput& in) {
     double limit = std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ double conduction_limit(const auto& material, double k, const TimeStepInput& in)
     return limit;
 }
 
-// What a neighbour counts in the ConductionMoment and the ConductionStiffness.
+// A neighbour's contribution to the ConductionMoment and the ConductionStiffness.
 template <class Kernel>
 IMBIBE_INLINE constexpr auto conduction_sums(const auto& b, const auto& ab) {
     constexpr double dim = decltype(ab.offset)::size;
@@ -52,7 +52,7 @@ IMBIBE_INLINE constexpr auto conduction_sums(const auto& b, const auto& ab) {
     return values((1 / dim) * squared_norm(ab.offset) * weight, sq(ab.support_radius) * weight);
 }
 
-// c_a + c_b of a pair; with a wall that is kept at a temperature, twice that of the other.
+// c_a + c_b of a pair; with a wall of prescribed temperature, twice that of the other.
 IMBIBE_INLINE constexpr auto sum_of_corrections(const auto& a, const auto& b) {
     if constexpr (!holds_heat<typename std::remove_cvref_t<decltype(a)>::Material>)
         return 2 * b[conduction_correction];
@@ -63,29 +63,28 @@ IMBIBE_INLINE constexpr auto sum_of_corrections(const auto& a, const auto& b) {
 }
 } // namespace detail
 
-/// What HeatConduction computes of the lattice.
+/// The numbers that HeatConduction prepares from the lattice.
 struct PreparedConduction {
-    double per_stiffness = 0; ///< 1/1.3 over the ConductionStiffness of it
+    double per_stiffness = 0; ///< 1/1.3 over its ConductionStiffness
 };
 
 /// dh_a/dt = 1/m_a sum_b V_a V_b (c_a + c_b) (theta_a - theta_b) (x_ab . grad_a W_ab)/|x_ab|^2, in W/kg, with the
 /// volumes V = m/rho, the integral theta of the conductivity over the temperature, and c = 3/(1 + 2 M), M_a = sum_b V_b
-/// |grad_a W_ab| |x_ab|/dim, but not so much that the exchange gets stiffer than 1.3 times that of a lattice. What one
-/// particle gives the other takes: heat is conserved to rounding. Convection needs no term: particles take their heat
+/// |grad_a W_ab| |x_ab|/dim, limited so that the exchange is at most 1.3 times as stiff as on a lattice. One particle
+/// gains what the other loses: heat is conserved to rounding. Convection needs no term: particles carry their heat
 /// along.
 ///
-/// In a phase, beside HeatCapacity or Melting. What is left open, a free surface or a wall without HeatTransfer, is
-/// insulated: c, 1 inside, makes up for the neighbours that are missing there. Without it heat flows half as well along
-/// such a surface. The formula is chosen so that it flows along a strip of ten particles as fast as it should, to 0.4 %
-/// (tests/terms/test_heat.cpp).
+/// In a phase, beside HeatCapacity or Melting. A free surface or a wall without HeatTransfer is insulated: c, 1 inside,
+/// makes up for the missing neighbours there. Without it heat flows half as well along such a surface. The formula is
+/// chosen so that the flow along a strip of ten particles is right to 0.4 % (tests/terms/test_heat.cpp).
 ///
 /// With theta, the conductivity may change with the temperature and jump where the phase freezes (docs/validation.md,
-/// stefan). The harmonic mean of two conductivities is not right for a front that moves between two particles.
+/// stefan). The harmonic mean of two conductivities is wrong for a front between two particles.
 ///
 /// A total-Lagrangian solid takes it with `Reference`: the neighbours of the stress-free solid, which are found once.
 /// Heat is then conducted as if the solid were not deformed.
 ///
-/// Not where friction heats: what viscosity takes from the motion is not given to the heat. Not with kernels whose
+/// Not for frictional heating: the energy that viscosity dissipates is not added to the heat. Not with kernels whose
 /// slope does not vanish at the centre (Spiky).
 ///
 /// Source: Cleary and Monaghan (1999), Eq. (28), of an enthalpy; theta, Kirchhoff (1894); c, own.
@@ -126,7 +125,7 @@ struct HeatConduction {
     };
     using parts = Parts<Volume, Moment, Correct, Conduct>;
 
-    /// Of the scene's lattice.
+    /// Computed from the scene's lattice.
     template <int dim>
     static Prepared prepare(const auto&, const Lattice<dim>& lattice) {
         const auto stiffness = [](const auto& ab) { return -sq(ab.support_radius) * ab.gradient(Kernel{}); };
@@ -144,13 +143,13 @@ struct HeatConduction {
 
 /// dh_a/dt = 1/m_a sum_b V_a V_b (c_a + c_b) 2 k_a k_b/(k_a + k_b) (T_a - T_b) (x_ab . grad_a W_ab)/|x_ab|^2, in W/kg,
 /// between particles of two phases, with the volumes V = m/rho, the corrections c of HeatConduction, in which the other
-/// phase counts, and the conductivities k, in a mean that keeps the flux continuous where they jump. What one phase
-/// gives the other takes.
+/// phase counts, and the harmonic mean of the conductivities k, which keeps the flux continuous where they jump. One
+/// phase gains what the other loses.
 ///
 /// In the coupling of two phases with HeatConduction, and in that of one and a wall with a SurfaceTemperature, which
 /// takes the other's c. A coupling without it is insulated.
 ///
-/// Not between surfaces that touch badly: they exchange heat as if they were one body.
+/// Not for surfaces with a contact resistance: they exchange heat as if they were one body.
 ///
 /// Source: Cleary and Monaghan (1999), Eq. (28), of an enthalpy; c, own.
 template <class Kernel = WendlandC2>
@@ -177,7 +176,7 @@ struct HeatTransfer {
     using parts = Parts<Volume, Moment, Conduct>;
 
     static constexpr const char* limit_name = "heat transfer";
-    /// That of HeatConduction of either phase that holds heat, s, with the mean conductivity of the pair.
+    /// The limit of HeatConduction of either phase that holds heat, s, with the mean conductivity of the pair.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
         const double own = detail::greatest_conductivity(material_a, 0),
                      other = detail::greatest_conductivity(material_b, own),

@@ -1,4 +1,4 @@
-// What heat is made of: the fields that its terms share, and the heat of a phase as an energy.
+// The basis of heat: the fields that its terms share, and the heat of a phase as an energy.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -11,9 +11,9 @@
 
 namespace imbibe {
 
-/// Heat per mass above what a particle holds at the reference temperature of its phase, J/kg: 0 where particles are
-/// added. It is integrated, and the temperature follows from it, so heat is conserved through melting as well. Of a
-/// wall with a SurfaceTemperature it is what the wall has taken up since the start.
+/// Heat per mass above that at the reference temperature of the phase, J/kg: 0 for added particles. It is integrated,
+/// and the temperature follows from it, so heat is conserved through melting as well. For a wall with a
+/// SurfaceTemperature it is the heat that the wall has taken up since the start.
 struct Enthalpy : Field<Rank::scalar> {
     static constexpr std::string_view name = "enthalpy", unit = "J/kg";
     static constexpr std::string_view rate_name = "enthalpy_rate", rate_unit = "W/kg";
@@ -21,15 +21,15 @@ struct Enthalpy : Field<Rank::scalar> {
 inline constexpr Enthalpy enthalpy{};
 inline constexpr Rate<Enthalpy> enthalpy_rate{};
 
-/// Temperature, K. Terms use differences of it alone, so it may as well be in degrees Celsius.
+/// Temperature, K. Terms use only differences of it, so degrees Celsius work as well.
 struct Temperature : Field<Rank::scalar> {
     static constexpr std::string_view name = "temperature", unit = "K";
     static constexpr bool shown = true;
 };
 inline constexpr Temperature temperature{};
 
-/// The integral of the conductivity over the temperature, W/m: a heat flux is minus its gradient where the conductivity
-/// changes with the temperature alone (Kirchhoff 1894).
+/// The integral of the conductivity over the temperature, W/m: if the conductivity depends on the temperature alone,
+/// the heat flux is minus its gradient (Kirchhoff 1894).
 struct ConductionPotential : Field<Rank::scalar> {
     static constexpr std::string_view name = "conduction_potential", unit = "W/m";
 };
@@ -41,14 +41,14 @@ struct Conductivity : Field<Rank::scalar> {
 };
 inline constexpr Conductivity conductivity{};
 
-/// Heat above what all particles hold at the reference temperature, J: what `thermal_energy` sums up.
+/// Heat above that at the reference temperature, J, summed by `thermal_energy`.
 struct ThermalEnergy {
     static constexpr std::string_view name = "thermal energy", unit = "J";
 };
 
 /// m h of a particle, J: a reduction of the terms that keep heat.
 ///
-/// Not a term that is listed by itself.
+/// Not a term to be listed by itself.
 ///
 /// Source: the definition of the enthalpy.
 struct ThermalEnergyOfParticle {
@@ -60,7 +60,7 @@ struct ThermalEnergyOfParticle {
 
 namespace detail {
 
-// Are these the parameters of a term that says how a phase holds and conducts heat?
+// Are these the parameters of a term that gives a phase heat capacity and conductivity?
 template <class P>
 concept HeatLaw = requires(const P& law) {
     law.greatest_conductivity();
@@ -78,7 +78,7 @@ inline constexpr bool holds_heat<Material> = []<class... P>(TypeList<P...>) {
     return (HeatLaw<P> || ...);
 }(typename decltype(Material::coefficients)::List{});
 
-// Calls f(law) with those of a phase, if a term of it has such parameters.
+// Calls f(law) with the heat parameters of a phase, if a term of it has such.
 constexpr void with_heat_law(const auto& material, const auto& f) {
     [[maybe_unused]] const auto one = [&]<class P>(std::type_identity<P>) {
         if constexpr (HeatLaw<P>)
@@ -89,7 +89,7 @@ constexpr void with_heat_law(const auto& material, const auto& f) {
     }(typename std::remove_cvref_t<decltype(material.coefficients)>::List{});
 }
 
-// The greatest conductivity of a phase, W/(m K); that of another one where it has none of its own.
+// The greatest conductivity of a phase, W/(m K); that of the other one if it has none.
 constexpr double greatest_conductivity(const auto& material, double of_the_other) {
     double k = of_the_other;
     with_heat_law(material, [&](const auto& law) { k = law.greatest_conductivity(); });

@@ -1,4 +1,4 @@
-// What moving particles with another velocity than the fluid's leaves out of their heat.
+// The heat correction for particles that are moved with another velocity than the fluid's.
 #pragma once
 
 #include <imbibe/fluid/volume.hpp>
@@ -8,14 +8,13 @@
 namespace imbibe {
 
 /// dh_a/dt = sum_b V_b (delta v_a . grad_a W_ab) (h_b - h_a), in W/kg, with the transport correction delta v of
-/// ParticleShifting or StrainShifting: what the enthalpy of the fluid changes by along the way that a particle is moved
-/// beside it. Without this a particle takes its heat along to where the fluid does not flow: docs/validation.md,
-/// heated-cavity, has what that does to natural convection.
+/// ParticleShifting or StrainShifting: the change of the fluid's enthalpy along the extra displacement of a particle.
+/// Without it a shifted particle carries its heat to where the fluid does not flow; docs/validation.md, heated-cavity,
+/// has the effect on natural convection.
 ///
-/// In a fluid that conducts heat and whose particles are shifted.
+/// For a fluid that conducts heat and whose particles are shifted.
 ///
-/// Not where heat must be conserved to rounding: what a particle gains here none of its neighbours loses. Not in
-/// couplings.
+/// Not where heat must be conserved to rounding: the gain of a particle here is no neighbour's loss. Not in couplings.
 ///
 /// Source: as TransportAdvection, of the enthalpy.
 template <class Kernel = WendlandC2>

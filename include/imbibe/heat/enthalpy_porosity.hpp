@@ -1,4 +1,4 @@
-// What freezes in a mould or skeleton that rests comes to rest.
+// A Darcy drag that stops frozen fluid in a mould or skeleton at rest.
 #pragma once
 
 #include <imbibe/fluid/implicit_drag.hpp>
@@ -7,17 +7,17 @@
 namespace imbibe {
 
 /// dv_a/dt = - L_a v*_a/(1 + dt D_a), L_a = A/rho_a (1 - f)^2/(f^3 + q), in m/s^2, with the liquid fraction f, the
-/// velocity v* that the particle would have at the end of the step without it, and D the sum of all such rates, L among
-/// them: a Darcy drag towards rest, backward in time, so that no step is too long. The Carman-Kozeny law of mush; ice
-/// stands still.
+/// velocity v* that the particle would have at the end of the step without it, and the sum D of all such rates, L
+/// included: a Darcy drag towards rest, backward in time, so that it does not limit the step. The Carman-Kozeny law of
+/// mush; ice stands still.
 ///
 /// In a fluid beside Melting, where it freezes in a mould or skeleton that does not move, which takes up the momentum:
 /// the cheapest way to hold ice, and the stiffest.
 ///
-/// Not where the skeleton moves, or ice swims: FrozenDrag and FrozenStress.
+/// Not if the skeleton moves or ice floats: FrozenDrag and FrozenStress.
 ///
 /// Source: Voller and Prakash (1987), Eq. (13).
-struct EnthalpyPorosity : NotStiff { // implicit: no step is too long
+struct EnthalpyPorosity : NotStiff { // implicit: no limit on the step
     using Parameters = FrozenDragParameters;
     static constexpr bool within_phases = true;
     struct Rate {

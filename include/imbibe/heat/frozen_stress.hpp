@@ -1,4 +1,4 @@
-// Ice as a soft elastic solid, in the same phase as the water that it freezes from.
+// Ice as a soft elastic solid, in the same phase as the water.
 #pragma once
 
 #include <imbibe/core/phase.hpp>
@@ -27,17 +27,17 @@ struct FrozenStressParameters {
 };
 
 /// dS/dt = (1 - f) (2 G (e - tr(e)/3 1) + S Omega^T + Omega S) - f S/dt, in Pa/s, with the liquid fraction f, the rate
-/// of deformation e and the spin Omega of the VelocityGradient, the length dt of the step; and the force of it, dv_a/dt
-/// = 1/m_a sum_b V_a V_b (S_a + S_b) grad_a W_ab, in m/s^2: JaumannStress where it is frozen, no stress where it is
-/// molten, and what is left of it in mush fades in a few steps. What freezes is free of stress as it freezes.
+/// of deformation e and the spin Omega of the VelocityGradient, and the length dt of the step; and its force, dv_a/dt =
+/// 1/m_a sum_b V_a V_b (S_a + S_b) grad_a W_ab, in m/s^2. This is JaumannStress in frozen fluid and no stress in
+/// liquid; in mush the stress decays in a few steps. Freezing fluid starts stress-free.
 ///
-/// In a fluid beside Melting and VelocityGradient: ice that bends, swims, and hangs on to walls and solids by
+/// In a fluid beside Melting and VelocityGradient: ice that bends, floats, and is held to walls and solids by
 /// FrozenDrag in the couplings.
 ///
-/// Not for ice that turns by much or is sheared by much (see JaumannStress), and not where it breaks. Not with
-/// integrators of several stages, which do not say how long a step is: what melts would keep its stress.
+/// Not for ice with large rotation or shear (see JaumannStress), nor for breaking ice. Not with integrators of several
+/// stages, whose terms do not see the length of a step: melting fluid would keep its stress.
 ///
-/// Source: Gray, Monaghan and Swift (2001) for the rate; the share that is frozen, own.
+/// Source: Gray, Monaghan and Swift (2001) for the rate; the weighting with the frozen share, own.
 template <class Kernel = WendlandC2>
 struct FrozenStress : NotStiff { // has a limit of its own, that of sound
     using Parameters = FrozenStressParameters;

@@ -1,4 +1,4 @@
-// A phase that keeps heat without melting: its temperature is a straight line in its enthalpy.
+// A phase that stores heat without melting: its temperature is linear in its enthalpy.
 #pragma once
 
 #include <imbibe/heat/enthalpy.hpp>
@@ -13,10 +13,10 @@ struct HeatParameters {
     double heat_conductivity = required;   ///< k, W/(m K): water 0.6, rubber 0.15, steel 50
     double reference_temperature = 293.15; ///< T_0, K: that of the particles when they are added
 
-    /// The enthalpy, J/kg, of particles of the temperature T, K: to give some another one than T_0,
+    /// The enthalpy, J/kg, at the temperature T, K: to start particles at another temperature than T_0,
     /// `scene[water][enthalpy](i) = heat.enthalpy_at(350)`.
     constexpr double enthalpy_at(double T) const { return heat_capacity * (T - reference_temperature); }
-    /// k, W/(m K), for the limit on the step.
+    /// k, W/(m K), for the time step limit.
     constexpr double greatest_conductivity() const { return heat_conductivity; }
     /// c, J/(kg K), for the same.
     constexpr double least_heat_capacity() const { return heat_capacity; }
@@ -32,8 +32,8 @@ struct HeatParameters {
     }
 };
 
-/// T_a = T_0 + h_a/c, in K, the conductivity k and the potential k h_a/c of its flux: of a phase that holds heat.
-/// HeatConduction moves it.
+/// T_a = T_0 + h_a/c, in K, the conductivity k and the potential k h_a/c of its flux: for a phase that stores heat.
+/// HeatConduction moves the heat.
 ///
 /// Not for a phase that melts or freezes: Melting.
 ///

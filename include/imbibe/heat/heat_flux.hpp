@@ -1,4 +1,4 @@
-// A wall that heats or cools what touches it with a given power per area.
+// A wall that heats or cools adjacent particles with a given power per area.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -12,14 +12,14 @@
 
 namespace imbibe {
 
-/// The power per area that a wall gives, W/m^2: what HeatFlux or a term of one's own sets.
+/// The power per area that a wall gives, W/m^2: set by HeatFlux or a user's term.
 struct HeatFluxField : Field<Rank::scalar> {
     static constexpr std::string_view name = "heat_flux", unit = "W/m^2";
     static constexpr bool shown = true;
 };
 inline constexpr HeatFluxField heat_flux{};
 
-/// sum_b V_b grad_a W_ab over the particles b of walls that heat, 1/m.
+/// sum_b V_b grad_a W_ab over the particles b of heating walls, 1/m.
 struct HeatedSurface : Field<Rank::vector> {
     static constexpr std::string_view name = "heated_surface", unit = "1/m";
 };
@@ -44,10 +44,9 @@ struct HeatFluxParameters {
 
 /// q, in W/m^2: a wall that heats with this power per area of its surface.
 ///
-/// A term of one's own that sets `heat_flux` takes its place where the flux is not the same everywhere, or changes with
-/// `a.time`.
+/// If the flux varies in space, or in time (`a.time`), use your own term that sets `heat_flux` in its place.
 ///
-/// Not enough by itself: HeatFromWalls stands in the coupling, `Into` what is heated.
+/// Not sufficient by itself: the coupling needs HeatFromWalls `Into` the heated phase.
 ///
 /// Source: a Neumann condition.
 struct HeatFlux {
@@ -65,26 +64,26 @@ struct HeatFlux {
     using parts = Parts<Volume, Set>;
 };
 
-/// What HeatFromWalls computes of the lattice.
+/// The numbers that HeatFromWalls prepares from the lattice.
 struct PreparedHeatFlux {
-    double factor = 2; ///< 1 over the sum of |g_a| over the layers before a plane face, times the spacing
+    double factor = 2; ///< 1 over the sum of |g_a| over the layers in front of a plane face, times the spacing
 };
 
 /// dh_a/dt = 1/rho_a factor (s_a . g_a)/|g_a|, in W/kg, with g_a = sum_b V_b grad_a W_ab over the particles b of walls
 /// that have a HeatFlux q, and s_a = sum_b q_b V_b grad_a W_ab. In the coupling with them, `Into` the fluid or solid
 /// that they heat: `Coupling<Water, Plate, Into<Water, HeatFromWalls<>>>`.
 ///
-/// |g| is the derivative of the share of the kernel that is in the wall, and sums up to 1/2 across a plane face; on the
-/// lattice of the scene the factor makes that exact. So the heat is the flux times the area, spread over a support
+/// The magnitude |g| is the derivative of the share of the kernel in the wall, and sums up to 1/2 across a plane face;
+/// the factor makes that exact on the scene's lattice. So the heat is the flux times the area, spread over a support
 /// radius.
 ///
 /// Not for walls thinner than a support radius.
 ///
-/// Source: the surface as a gradient of a colour, as of Brackbill, Kothe and Zemach (1992); the factor, own.
+/// Source: the surface as the gradient of a colour function, as in Brackbill, Kothe and Zemach (1992); the factor, own.
 template <class Kernel = WendlandC2>
 struct HeatFromWalls {
     using Prepared = PreparedHeatFlux;
-    struct Sum { // a: what is heated, b: wall
+    struct Sum { // a: heated particle, b: wall
         using reads = Fields<volume, heat_flux>;
         using adds = Fields<heated_surface, surface_heating>;
 

@@ -1,4 +1,4 @@
-// A phase that melts and freezes: its temperature stands still while its enthalpy takes up the latent heat.
+// A phase that melts and freezes: its temperature is constant while its enthalpy takes up the latent heat.
 #pragma once
 
 #include <imbibe/heat/enthalpy.hpp>
@@ -22,9 +22,9 @@ struct MeltingParameters {
     double liquid_heat_capacity = required; ///< c_l, J/(kg K): water 4186
     double solid_conductivity = required;   ///< k_s, W/(m K): ice 2.2
     double liquid_conductivity = required;  ///< k_l, W/(m K): water 0.6
-    double latent_heat = required;          ///< L, J/kg, all heat from the first melt to the last: water 3.34e5
+    double latent_heat = required;          ///< L, J/kg, all heat from the begin of melting to its end: water 3.34e5
     double melting_temperature = 273.15;    ///< T_m, K, at which it begins to melt
-    double melting_range = 0;               ///< K, until all is molten; 0 for what is pure, as water
+    double melting_range = 0;               ///< K, until all is molten; 0 for a pure substance such as water
     double reference_temperature = 293.15;  ///< T_0, K: that of the particles when they are added. At T_m or above they
                                             ///< are liquid, below it frozen
 
@@ -42,7 +42,7 @@ struct MeltingParameters {
             return h + latent_heat + (above - melting_range) * liquid_heat_capacity;
         return h + latent_heat * (melting_range > 0 ? above / melting_range : f);
     }
-    /// W/(m K), for the limit on the step.
+    /// W/(m K), for the time step limit.
     constexpr double greatest_conductivity() const { return std::max(solid_conductivity, liquid_conductivity); }
     /// J/(kg K), for the same.
     constexpr double least_heat_capacity() const { return std::min(solid_heat_capacity, liquid_heat_capacity); }
@@ -72,20 +72,19 @@ struct MeltingParameters {
     }
 };
 
-/// T_a = T_m + (h_a - h_m)/c_s below the enthalpy h_m of first melt, T_m + T_r f_a while it melts, with the liquid
-/// fraction f_a = (h_a - h_m)/L from 0 to 1 and the range T_r, and T_m + T_r + (h_a - h_m - L)/c_l above, in K. And the
-/// conductivity, (1 - f) k_s + f k_l, and its integral from T_m on, the potential of the flux.
+/// T_a = T_m + (h_a - h_m)/c_s below the enthalpy h_m at which melting begins, T_m + T_r f_a during melting, with the
+/// liquid fraction f_a = (h_a - h_m)/L from 0 to 1 and the range T_r, and T_m + T_r + (h_a - h_m - L)/c_l above, in K.
+/// Also the conductivity, (1 - f) k_s + f k_l, and its integral from T_m on, the potential of the flux.
 ///
-/// In place of HeatCapacity. What is frozen flows as before without a term that holds it: EnthalpyPorosity, or
-/// FrozenStress with FrozenDrag.
+/// Use it in place of HeatCapacity. Frozen fluid still flows unless a term holds it: EnthalpyPorosity, or FrozenStress
+/// with FrozenDrag.
 ///
-/// Not where it freezes below the melting point first (supercooling), and not where ice must swell against what is
-/// around it: the density is the same.
+/// Not for supercooling, and not where ice must expand against its surroundings: the density is constant.
 ///
 /// Source: Voller and Cross (1981), the enthalpy method; by particles, Cleary (1998).
 struct Melting {
     using Parameters = MeltingParameters;
-    /// Numbers of the straight lines.
+    /// Numbers of the piecewise linear law.
     struct Prepared {
         double melting_enthalpy = 0; ///< h_m, J/kg
     };
@@ -112,7 +111,7 @@ struct Melting {
     using parts = Parts<Set>;
     using reductions = Parts<ThermalEnergyOfParticle>;
 
-    /// The enthalpy of first melt.
+    /// The enthalpy at which melting begins.
     template <int dim>
     static Prepared prepare(const auto&, const Lattice<dim>&, const Parameters& parameters) {
         return {.melting_enthalpy = parameters.melting_enthalpy()};

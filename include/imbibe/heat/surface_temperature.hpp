@@ -1,4 +1,5 @@
-// A wall at a temperature: what it shows to the fluid, so that the fluid is as warm as the wall at its surface.
+// A wall at a prescribed temperature: the temperature it shows to the fluid, so that the fluid at its surface has the
+// wall's temperature.
 #pragma once
 
 #include <imbibe/heat/enthalpy.hpp>
@@ -10,14 +11,14 @@
 
 namespace imbibe {
 
-/// The temperature of a wall's surface, K: what SurfaceTemperature or a term of one's own sets.
+/// The temperature of a wall's surface, K: set by SurfaceTemperature or a user's term.
 struct SurfaceTemperatureField : Field<Rank::scalar> {
     static constexpr std::string_view name = "surface_temperature", unit = "K";
     static constexpr bool shown = true;
 };
 inline constexpr SurfaceTemperatureField surface_temperature{};
 
-/// sum_f W_af over what touches the wall, 1/m^3 (1/m^2 in 2D).
+/// sum_f W_af over the particles in contact with the wall, 1/m^3 (1/m^2 in 2D).
 struct TemperatureWeight : Field<Rank::scalar> {
     static constexpr std::string_view name = "temperature_weight", unit = "1/m^3";
 };
@@ -53,13 +54,13 @@ struct SurfaceTemperatureParameters {
     }
 };
 
-/// T_w, in K: a wall whose surface is kept at this temperature. Its enthalpy is the heat, per mass of the wall, that it
-/// has taken up: `thermal_energy(scene[wall])` is that of all of it, J.
+/// T_w, in K: a wall whose surface is kept at this temperature. Its enthalpy is the heat per mass of the wall that it
+/// has taken up: `thermal_energy(scene[wall])` is the total, J.
 ///
-/// A term of one's own that sets `surface_temperature` and `stores` enthalpy takes its place where the temperature is
-/// not the same everywhere, or changes with `a.time`.
+/// If the temperature varies in space, or in time (`a.time`), use your own term that sets `surface_temperature` and
+/// `stores` enthalpy in its place.
 ///
-/// Not enough by itself: TemperatureExtrapolation `Into` the wall and HeatTransfer stand in the coupling.
+/// Not sufficient by itself: the coupling needs TemperatureExtrapolation `Into` the wall and HeatTransfer.
 ///
 /// Source: a Dirichlet condition.
 struct SurfaceTemperature {
@@ -80,20 +81,20 @@ struct SurfaceTemperature {
 };
 
 /// T_a = T_w - (D/d - 1) sum_f (T_f - T_w) W_af / sum_f W_af, in K, for a particle a of a wall: the temperature of the
-/// fluid or solid before it, continued in a straight line through that of the surface, T_w, with the distances D and d
-/// of SurfaceDistance; T_w itself where nothing touches the wall. And its conductivity, the mean of what it touches.
+/// fluid or solid in front of it, extrapolated linearly through that of the surface, T_w, with the distances D and d of
+/// SurfaceDistance; T_w itself without contact. Also its conductivity, the mean over the particles in contact.
 ///
 /// Goes into the wall: `Coupling<Water, Plate, Into<Plate, TemperatureExtrapolation<>>, HeatTransfer<>>`, beside
 /// SurfaceTemperature in the wall.
 ///
-/// Not for a wall that warms up and cools down itself: that is a phase with a HeatCapacity.
+/// Not for a wall whose temperature changes by the heat it takes up: that is a phase with a HeatCapacity.
 ///
 /// Source: as LinearNoSlipVelocity, for a temperature.
 template <class Kernel = WendlandC2>
 struct TemperatureExtrapolation {
     static constexpr bool one_sided = true;
     using Prepared = SurfaceDistance;
-    struct Sum { // a: wall, b: what touches it
+    struct Sum { // a: wall, b: particle in contact
         using reads = Fields<temperature, conductivity, surface_temperature>;
         using adds = Fields<temperature_weight, temperature_sum, conductivity_sum, temperature_offset>;
 
@@ -119,7 +120,7 @@ struct TemperatureExtrapolation {
     };
     using parts = Parts<Sum, Continue>;
 
-    /// Of the scene's lattice.
+    /// Computed from the scene's lattice.
     template <int dim>
     static Prepared prepare(const auto&, const auto&, const Lattice<dim>& lattice) {
         return SurfaceDistance::on<Kernel>(lattice);

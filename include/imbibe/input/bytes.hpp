@@ -1,4 +1,4 @@
-// What readers of files stand on: a file as bytes, words and numbers in a text, numbers in either order of bytes.
+// The basis of file readers: a file as bytes, words and numbers in a text, numbers in either byte order.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -20,7 +20,7 @@
 
 namespace imbibe {
 
-/// Lengths in metres, for files that do not say their unit: `read_mesh("gear.stl", millimetres)`.
+/// Lengths in metres, for files without a unit: `read_mesh("gear.stl", millimetres)`.
 inline constexpr double metres = 1, centimetres = 1e-2, millimetres = 1e-3, micrometres = 1e-6, inches = 0.0254;
 
 namespace detail {
@@ -37,13 +37,13 @@ inline std::string bytes_of_file(const char* who, const std::filesystem::path& p
     return bytes;
 }
 
-/// Throws Error unless a length that stands for a unit is finite and above zero.
+/// Throws Error unless a length used as a unit is finite and above zero.
 inline void require_unit(const char* who, double unit) {
     require(std::isfinite(unit) && unit > 0, who, ": unit = ", unit,
             " m must be finite and > 0 m. Give what one of the file's units is: metres, millimetres, inches.");
 }
 
-/// A number of type T that `bytes` hold at `at`, whose first byte is the lowest (little) or not.
+/// The number of type T at place `at` of `bytes`, in little-endian or big-endian order.
 template <class T>
 T number_at(std::string_view bytes, std::size_t at, bool little = true) {
     std::array<char, sizeof(T)> raw;
@@ -78,7 +78,7 @@ public:
     }
     [[nodiscard]] bool at_end() const { return at_ >= text_.size(); } ///< is nothing left?
     [[nodiscard]] long long line() const { return line_; }            ///< from 1
-    [[nodiscard]] std::size_t place() const { return at_; }           ///< bytes that were read
+    [[nodiscard]] std::size_t place() const { return at_; }           ///< bytes read so far
 
 private:
     static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -119,7 +119,7 @@ inline std::optional<long long> whole_number_of(std::string_view word) {
     return trouble == std::errc{} && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
 }
 
-/// Part of a word of the file, fit for a message.
+/// Part of a word of the file, printable in a message.
 inline std::string quoted(std::string_view word) {
     std::string result = "\"";
     for (const char c : word.substr(0, 40))

@@ -1,5 +1,5 @@
-// Bodies from files in one include: meshes and images, their readers and their reports. Not part of imbibe.hpp, which would
-// take half as long again to compile with it.
+// Bodies from files in one include: meshes and images, their readers and their reports. Not part of imbibe.hpp, whose
+// compilation would take half as long again.
 #pragma once
 
 #include <imbibe/geometry/image_report.hpp>

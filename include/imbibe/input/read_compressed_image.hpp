@@ -1,4 +1,4 @@
-// Reads compressed images: .nii.gz, and NRRD, MetaImage and VTI whose voxels are packed. Needs zlib, which a program
+// Reads compressed images: .nii.gz, and NRRD, MetaImage and VTI with compressed voxels. Needs zlib, which a program
 // that includes this links (-lz; find_package(ZLIB), ZLIB::ZLIB).
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace imbibe {
 
-/// What gzip or zlib have packed. @param packed all of it @param name of the file, for messages
-/// @throws Error where it is neither, damaged or cut off
+/// Decompresses gzip or zlib data. @param packed all of it @param name of the file, for messages
+/// @throws Error if it is neither, damaged or cut off
 [[nodiscard]] inline std::string unpack(std::string_view packed, std::string_view name = "packed data") {
     z_stream stream{};
     require(inflateInit2(&stream, 15 + 32) == Z_OK, name, ": zlib cannot begin.");
@@ -61,8 +61,8 @@ inline std::string unpacked_nrrd(std::string_view bytes, std::string_view name) 
     return head + unpack(rest, name);
 }
 
-// A VTK file has its packed voxels in blocks: their number, the size of each unpacked, that of the last where it is
-// another, and the packed sizes; then the blocks.
+// A VTK file has compressed voxels in blocks: their number, the uncompressed size of each, that of the last if it
+// differs, and the compressed sizes; then the blocks.
 inline std::string unpacked_vti(std::string_view bytes, std::string_view name) {
     const auto attribute = bytes.find(" compressor=\"");
     const auto mark = bytes.find('_', bytes.find("<AppendedData"));
@@ -101,7 +101,8 @@ inline std::string unpacked_vti(std::string_view bytes, std::string_view name) {
         voxels += unpack(bytes.substr(block, size), name);
         block += size;
     }
-    // The same file without a compressor: where the numbers of the blocks were is the length, which nothing reads.
+    // The same file without a compressor: the length, which nothing reads, stands in place of the numbers of the
+    // blocks.
     std::string result(head);
     result.erase(attribute, head.find('"', attribute + 13) + 1 - attribute);
     result.append(static_cast<std::size_t>(*offset) + each, '\0');
@@ -110,9 +111,9 @@ inline std::string unpacked_vti(std::string_view bytes, std::string_view name) {
 
 } // namespace detail
 
-/// The grey values in a file, packed or not, which its ending calls .nii.gz, .nrrd, .mhd, .mha or .vti, or one that
-/// read_image() reads. @param path the file
-/// @throws Error where the file cannot be read, is damaged or of another kind
+/// The grey values in a file, compressed or not, of the type given by its ending, .nii.gz, .nrrd, .mhd, .mha or .vti,
+/// or one that read_image() reads. @param path the file
+/// @throws Error if the file cannot be read, is damaged or of another kind
 [[nodiscard]] inline GreyImage read_compressed_image(const std::filesystem::path& path) {
     constexpr const char* who = "read_compressed_image";
     const std::string kind = detail::lower_case(path.extension().string()), name = path.string();

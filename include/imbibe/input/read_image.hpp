@@ -1,5 +1,5 @@
-// Reads grey-value images in voxels from files that need no library: raw, npy, NRRD, MetaImage, NIfTI-1, TIFF and VTI,
-// all of them uncompressed.
+// Reads grey-value images in voxels, without other libraries: raw, npy, NRRD, MetaImage, NIfTI-1, TIFF and VTI, all
+// uncompressed.
 #pragma once
 
 #include <imbibe/geometry/image.hpp>
@@ -18,11 +18,11 @@
 
 namespace imbibe {
 
-/// What kind of number a voxel is in a file.
+/// The number type of a voxel in a file.
 enum class SampleType { uint8, int8, uint16, int16, uint32, int32, float32, float64 };
 
-/// Which axis runs fastest in a file: neighbours along it are neighbours in the file. A numpy array that is indexed
-/// [z, y, x] has x, one that is indexed [x, y, z] has z, unless it is in Fortran's order.
+/// The axis that runs fastest in a file: neighbours along it are neighbours in the file. It is x for a numpy array
+/// indexed [z, y, x], and z for one indexed [x, y, z], unless it is in Fortran order.
 enum class Fastest { x, z };
 
 namespace detail {
@@ -65,7 +65,7 @@ inline float sample_at(std::string_view bytes, std::size_t at, SampleType type, 
     }
 }
 
-/// How many voxels an image of a size has. Throws Error where the size cannot be.
+/// The number of voxels of an image size. Throws Error for an impossible size.
 inline std::size_t voxels_of(std::string_view name, const std::array<long long, 3>& size) {
     double number = 1;
     for (const long long n : size) {
@@ -93,7 +93,7 @@ inline GreyImage image_of(std::string_view name, std::string_view bytes, std::si
     return image;
 }
 
-/// The same image where z runs fastest in the file: size along z, y, x as image_of took it.
+/// The same image if z runs fastest in the file: size along z, y, x as image_of took it.
 inline GreyImage turned_round(const GreyImage& image) {
     GreyImage result;
     result.size = {image.size[2], image.size[1], image.size[0]};
@@ -113,7 +113,7 @@ inline std::string lower_case(std::string_view word) {
     return result;
 }
 
-/// The numbers in a line, as far as there are any.
+/// The numbers at the beginning of a line.
 inline std::vector<double> numbers_in(std::string_view line) {
     std::vector<double> result;
     Words words(line);
@@ -137,7 +137,7 @@ inline std::array<long long, 3> size_in(std::string_view name, std::string_view 
     return size;
 }
 
-/// Text of a line behind its first `mark`, without spaces at both ends; nothing where there is no mark.
+/// The parts of a line before and behind its first `mark`, without spaces at both ends; empty without a mark.
 inline std::optional<std::pair<std::string_view, std::string_view>> split_at(std::string_view line,
                                                                              std::string_view mark) {
     const auto at = line.find(mark);
@@ -150,7 +150,7 @@ inline std::optional<std::pair<std::string_view, std::string_view>> split_at(std
     return std::pair{trimmed(line.substr(0, at)), trimmed(line.substr(at + mark.size()))};
 }
 
-/// Takes the next line off a text.
+/// Removes the next line from a text and returns it.
 inline std::string_view next_line(std::string_view& rest) {
     const auto end = rest.find('\n');
     const std::string_view line = rest.substr(0, end);
@@ -160,7 +160,7 @@ inline std::string_view next_line(std::string_view& rest) {
 
 } // namespace detail
 
-/// An image without a head: nothing but voxels, one after the other.
+/// An image without a header: nothing but voxels, one after the other.
 /// @param bytes the whole file
 /// @param size voxels along x, y, z
 /// @param type of a voxel
@@ -296,15 +296,15 @@ inline std::string_view next_line(std::string_view& rest) {
     return image;
 }
 
-/// What the head of a MetaImage says.
+/// The header of a MetaImage.
 struct MetaImageHead {
     std::array<long long, 3> size{};     ///< voxels along x, y, z
     SampleType type = SampleType::uint8; ///< of a voxel
     bool little = true;                  ///< whether the lowest byte of a number comes first
     Point<3> sides{0, 0, 0};             ///< of a voxel, in the file's unit
-    long long skip = 0;                  ///< bytes before the voxels in their file; -1: all that are not voxels
-    std::string file;                    ///< where the voxels are; "LOCAL": behind the head
-    std::size_t length = 0;              ///< of the head, bytes
+    long long skip = 0;                  ///< bytes before the voxels in their file; -1: all bytes that are not voxels
+    std::string file;                    ///< the file with the voxels; "LOCAL": behind the header
+    std::size_t length = 0;              ///< of the header, bytes
 };
 
 /// The head of a MetaImage (.mhd, or the beginning of a .mha). @param bytes the file @param name of it, for messages
@@ -603,7 +603,7 @@ struct MetaImageHead {
     return image;
 }
 
-/// The grey values in a file without a head, as parse_raw() takes them.
+/// The grey values in a file without a header, as parse_raw() takes them.
 /// @param path the file @param size voxels along x, y, z @param type of a voxel @param fastest the axis that runs
 /// fastest
 /// @param little whether the lowest byte of a number comes first
@@ -612,16 +612,16 @@ struct MetaImageHead {
     return parse_raw(detail::bytes_of_file("read_raw", path), size, type, fastest, little, path.string());
 }
 
-/// The grey values in a file of numpy's, as parse_npy() takes them. @param path the file @param fastest the axis that
-/// runs fastest
+/// The grey values in a numpy file, as parse_npy() takes them. @param path the file @param fastest the axis that runs
+/// fastest
 [[nodiscard]] inline GreyImage read_npy(const std::filesystem::path& path, Fastest fastest) {
     return parse_npy(detail::bytes_of_file("read_npy", path), fastest, path.string());
 }
 
-/// The grey values in a file, which its ending calls .nrrd, .mhd, .mha, .nii, .tif, .tiff or .vti. Files that do not
-/// say their size or which axis runs fastest are read with read_raw() and read_npy().
+/// The grey values in a file of the type given by its ending, .nrrd, .mhd, .mha, .nii, .tif, .tiff or .vti. Files
+/// without a size or a fastest axis are read with read_raw() and read_npy().
 /// @param path the file
-/// @throws Error where the file cannot be read, is compressed, damaged or of another kind
+/// @throws Error if the file cannot be read, is compressed, damaged or of another kind
 [[nodiscard]] inline GreyImage read_image(const std::filesystem::path& path) {
     const std::string kind = detail::lower_case(path.extension().string()), name = path.string();
     constexpr std::array<std::string_view, 7> kinds{".nrrd", ".mhd", ".mha", ".nii", ".tif", ".tiff", ".vti"};

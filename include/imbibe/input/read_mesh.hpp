@@ -16,7 +16,7 @@ namespace imbibe {
 
 namespace detail {
 
-/// Adds a triangle, of corners of its own.
+/// Adds a triangle with its own corners.
 inline void add_triangle(Triangles& mesh, const std::array<Point<3>, 3>& corners) {
     const auto first = static_cast<int>(mesh.corners.size());
     mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
@@ -46,10 +46,10 @@ inline constexpr std::size_t most_corners = 0x7fffffff / 4;
 
 } // namespace detail
 
-/// The triangles of an STL file, in binary or as text. Which it is, its length tells, not the word "solid", with which
-/// binary files begin too.
+/// The triangles of an STL file, binary or text. The length tells which it is, not the word "solid", with which binary
+/// files may begin too.
 /// @param bytes the whole file
-/// @param unit what one of the file's units is, m
+/// @param unit the file's unit of length, m
 /// @param name of the file, for messages
 /// @throws Error that names the place, where the file is cut off or not STL
 [[nodiscard]] inline Triangles parse_stl(std::string_view bytes, double unit, std::string_view name = "STL file") {
@@ -93,10 +93,10 @@ inline constexpr std::size_t most_corners = 0x7fffffff / 4;
     return mesh;
 }
 
-/// The faces of an OBJ file, those of more than three corners as triangles round their first. Textures, normals,
-/// groups and materials are passed over.
+/// The faces of an OBJ file; those of more than three corners become triangles around their first. Textures, normals,
+/// groups and materials are skipped.
 /// @param bytes the whole file
-/// @param unit what one of the file's units is, m
+/// @param unit the file's unit of length, m
 /// @param name of the file, for messages
 /// @throws Error that names the line, where it is not OBJ
 [[nodiscard]] inline Triangles parse_obj(std::string_view bytes, double unit, std::string_view name = "OBJ file") {
@@ -131,13 +131,13 @@ inline constexpr std::size_t most_corners = 0x7fffffff / 4;
 
 namespace detail {
 
-/// Reads one number after the other of a PLY file's body, as text or in binary.
+/// Reads the numbers of a PLY file's body in order, text or binary.
 class PlyBody {
 public:
     PlyBody(std::string_view bytes, std::string_view format, std::string_view name)
         : bytes_(bytes), words_(bytes), text_(format == "ascii"), little_(format == "binary_little_endian"),
           name_(name) {}
-    /// The next number, of a type as the head calls it.
+    /// The next number, of a type as named in the header.
     double next(std::string_view type) {
         if (text_) {
             const std::string_view word = words_.next();
@@ -184,16 +184,16 @@ private:
 
 } // namespace detail
 
-/// The faces of a PLY file, as text or in binary of either order of bytes; those of more than three corners as
-/// triangles round their first. Colours, normals and elements other than vertices and faces are passed over.
+/// The faces of a PLY file, text or binary in either byte order; those of more than three corners become triangles
+/// around their first. Colours, normals and elements other than vertices and faces are skipped.
 /// @param bytes the whole file
-/// @param unit what one of the file's units is, m
+/// @param unit the file's unit of length, m
 /// @param name of the file, for messages
 /// @throws Error where the file is cut off or not PLY
 [[nodiscard]] inline Triangles parse_ply(std::string_view bytes, double unit, std::string_view name = "PLY file") {
     detail::require_unit("parse_ply", unit);
     struct Property {
-        std::string_view type, length_type, name; // of a list, the type of its length; else empty
+        std::string_view type, length_type, name; // for a list, the type of its length; else empty
     };
     struct Element {
         std::string_view name;
@@ -273,13 +273,13 @@ private:
     return mesh;
 }
 
-/// The triangles of a file, which its ending calls .stl, .obj or .ply, in metres:
+/// The triangles of a file of the type given by its ending, .stl, .obj or .ply, in metres:
 ///
 ///     const TriangleMesh gear(read_mesh("gear.stl", millimetres));
 ///
-/// None of these files says its unit, and most are in millimetres: so it must be given.
+/// None of these files stores its unit, and most are in millimetres, so it must be given.
 /// @param path the file
-/// @param unit what one of the file's units is, m
+/// @param unit the file's unit of length, m
 /// @throws Error where the file cannot be read, is damaged, or is of another kind
 [[nodiscard]] inline Triangles read_mesh(const std::filesystem::path& path, double unit) {
     detail::require_unit("read_mesh", unit);

@@ -1,4 +1,4 @@
-// Reads TIFF images of every compression, in tiles and as BigTIFF, through libtiff, which a program that includes this
+// Reads TIFF images of every compression, in tiles and as BigTIFF, with libtiff, which a program that includes this
 // links (-ltiff; find_package(TIFF), TIFF::TIFF).
 #pragma once
 
@@ -20,7 +20,7 @@ namespace imbibe {
 
 namespace detail {
 
-/// Keeps libtiff from printing while it lives; after that it does again what the program had it do.
+/// Keeps libtiff from printing while it lives; its destructor restores the program's handlers.
 class QuietTiff {
 public:
     QuietTiff() = default;

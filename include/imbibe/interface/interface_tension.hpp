@@ -1,4 +1,4 @@
-// The tension of the interface between two fluids, and the angle at which it meets a wall or a solid.
+// The tension of the interface between two fluids, and its contact angle at a wall or a solid.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -35,7 +35,7 @@ struct WettingGradient : Field<Rank::vector> {
 };
 inline constexpr WettingGradient wetting_gradient{};
 
-/// sum_b V_b W_ab over the same, without unit: the share of the kernel that is in walls and solids.
+/// sum_b V_b W_ab over the same, without unit: the share of the kernel that lies in walls and solids.
 struct SolidShare : Field<Rank::scalar> {
     static constexpr std::string_view name = "solid_share", unit = "1";
 };
@@ -47,7 +47,7 @@ struct SolidDirection : Field<Rank::vector> {
 };
 inline constexpr SolidDirection solid_direction{};
 
-/// How walls and solids pull at the line in which two fluids meet them, Pa.
+/// The pull of walls and solids at the contact line of two fluids, Pa.
 struct ContactLinePull : Field<Rank::vector> {
     static constexpr std::string_view name = "contact_line_pull", unit = "Pa";
     static constexpr bool shown = true;
@@ -66,7 +66,7 @@ inline constexpr InterfaceStressField interface_stress{};
 /// In each of the fluids, and in their coupling beside InterfaceTension.
 ///
 /// Not without a pressure that outweighs the tension, UnderPressure: particles would form clumps. Not with walls and
-/// solids: what they do to the interface is ContactLineForce.
+/// solids: their action on the interface is ContactLineForce.
 ///
 /// Source: Hu and Adams (2006).
 template <class Kernel = WendlandC2>
@@ -100,10 +100,10 @@ struct InterfaceTensionParameters {
 /// InterfaceForce. Inside a fluid G is exactly 0, however its particles lie; across an interface |G| sums up to sigma,
 /// half of it in each fluid.
 ///
-/// docs/validation.md says how right waves (capillary-wave), drops (sessile-drop) and bubbles (rising-bubble) are.
+/// docs/validation.md has the accuracy of waves (capillary-wave), drops (sessile-drop) and bubbles (rising-bubble).
 ///
 /// Not for a liquid without a second fluid around it. Not for three fluids that meet: where two interfaces of one fluid
-/// come near each other, G is that of one.
+/// come near each other, it has only one G.
 ///
 /// Source: Lafaurie, Nardone, Scardovelli, Zaleski and Zanetti (1994) for the stress; Hu and Adams (2006), with the
 /// colour of the other fluid alone.
@@ -135,8 +135,8 @@ struct InterfaceTension {
     };
     using parts = Parts<Volume, Sum, Stress>;
 
-    /// Throws Error where the stress would act between the fluids and not within them. @param coupling of the two,
-    /// @param where its name in the message
+    /// Throws Error if the stress would act between the fluids and not within them. @param coupling of the two, @param
+    /// where its name in the message
     static void check(const auto& coupling, std::string_view where) {
         using Between = std::remove_cvref_t<decltype(coupling)>;
         using Force = InterfaceForce<Kernel>;
@@ -185,14 +185,14 @@ struct PreparedContactAngle {
 /// sum_b V_b grad_a W_ab, and c_a = cos theta, their mean where there are several. `Into` each of the two fluids, in its
 /// coupling with the wall or solid, beside ContactLineForce.
 ///
-/// Along the surface the line is pulled with sigma cos theta per length, towards the other fluid where theta is below 90
-/// degrees: at rest that balances the interface at the angle theta (Young 1805). Into the solid it is held against the
-/// interface that lifts it off, at whatever angle that meets the surface: |G_t|/|G_a| is the sine of it. Without this
+/// Along the surface the line is pulled with sigma cos theta per length, towards the other fluid if theta is below 90
+/// degrees: at rest that balances the interface at the angle theta (Young 1805). In the direction into the solid it is
+/// held against the interface that pulls it off, at any angle to the surface: |G_t|/|G_a| is its sine. Without this
 /// second part a gap opens at the line.
 ///
-/// The sums of |g| over the fluids' particles come to 1/2 per area of the surface, and those of G along it to (1 - s)
-/// sigma, which makes the factor; s counts as 1/2, that at a flat surface, where it is more. docs/validation.md has what
-/// comes out (sessile-drop, capillary-rise, capillary-tube).
+/// The sums of |g| over the fluids' particles give 1/2 per area of the surface, and those of G along it (1 - s) sigma,
+/// which makes the factor. s is limited to 1/2, its value at a flat surface. docs/validation.md has the results
+/// (sessile-drop, capillary-rise, capillary-tube).
 ///
 /// Not for walls and solids thinner than a support radius, or with channels narrower than two.
 ///
@@ -221,7 +221,7 @@ struct ContactAngle {
         IMBIBE_INLINE constexpr auto operator()(const auto& a) const {
             const auto& g = a[solid_gradient];
             const auto& G = a[interface_gradient];
-            // Of a neighbour at the rim of the support alone no direction is left in float: n is then shorter than 1.
+            // Of a neighbour at the very rim of the support no direction is left in float: n is then shorter than 1.
             const auto shortened = 1 / max(sqrt(squared_norm(g)), 1e-6 / a.material.support_radius);
             const auto n = shortened * g;
             const auto cosine = shortened * dot(n, a[wetting_gradient]);
@@ -240,8 +240,8 @@ struct ContactAngle {
     }
 };
 
-/// dv_a/dt = 1/m_a sum_b V_a V_b (n . grad_a W_ab) f, in m/s^2, with n and f of ContactAngle in whichever of the two is
-/// the fluid: V_a |g_a| f_a is the force on a fluid's particle. Equal and opposite: solids are pulled at.
+/// dv_a/dt = 1/m_a sum_b V_a V_b (n . grad_a W_ab) f, in m/s^2, with n and f of ContactAngle from the fluid of the
+/// pair: V_a |g_a| f_a is the force on a fluid's particle. Equal and opposite: it pulls solids too.
 ///
 /// In the coupling of each of two fluids with a wall or solid, beside ContactAngle `Into` the fluid.
 ///

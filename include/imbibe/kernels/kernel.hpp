@@ -1,8 +1,8 @@
 // What a smoothing kernel is to this library, and its value and slope in physical units.
 //
-// A kernel is written on the unit support: q = r/H is the distance in units of the support radius H, beyond which
-// the kernel is zero. The literature's "smoothing length" h is H for some kernels, H/2 or H/3 for others; here only
-// H is spoken of, and each kernel's comment says what its h was.
+// A kernel is written on the unit support: q = r/H is the distance in units of the support radius H, beyond which the
+// kernel is zero. The literature's "smoothing length" h is H for some kernels, H/2 or H/3 for others. The library uses
+// only H, and each kernel's comment gives the relation to the h of its source.
 #pragma once
 
 #include <concepts>
@@ -25,15 +25,15 @@ namespace imbibe {
 ///     W(r)   = normalisation<dim>() / H^dim * w(r/H)          [1/m^dim],     integral of W over space = 1,
 ///     dW/dr  = normalisation<dim>() / H^(dim+1) * w'(r/H)     [1/m^(dim+1)].
 ///
-/// T is float, double or a Pack of them; q >= 0 and finite. At q >= 1 both functions are exactly zero, for any q
-/// the value is not negative and the derivative not positive. They reach zero through truncated powers
-/// (positive_part), never through a branch, so a sweep needs no test of the distance.
-/// `normalisation` refuses, with a readable line, a dimension in which the kernel has another shape.
+/// T is float, double or a Pack of them; q >= 0 and finite. At q >= 1 both functions are exactly zero; for any q the
+/// value is not negative and the derivative not positive. They reach zero through truncated powers (positive_part),
+/// never through a branch, so a sweep needs no test of the distance. `normalisation` gives a readable compile error in
+/// a dimension in which the kernel has another shape.
 ///
 /// Four members are optional: see HasDerivativeOverQ, HasCubicSlope, HasSecondDerivative and HasLaplacian.
 ///
-/// Where a function has numbers of its own, it may take a second argument, `T scale = T(1)`, that multiplies it: a
-/// sweep gives the constant of the support there, and its products with those numbers are no work in the pair loop.
+/// A function with constants of its own may take a second argument, `T scale = T(1)`, that multiplies it: a sweep
+/// passes the constant of the support there, and its products with those constants cost nothing in the pair loop.
 template <class K>
 concept Kernel = requires(double q, float p) {
     { K::name } -> std::convertible_to<const char*>;
@@ -44,16 +44,15 @@ concept Kernel = requires(double q, float p) {
     { K::derivative(p) } -> std::same_as<float>;
 };
 
-/// A kernel whose derivative is q times something regular, and which offers that as `derivative_over_q(q)`:
-/// grad W = normalisation / H^(dim+2) * derivative_over_q(r/H) * (r_a - r_b) then needs no division by the distance
-/// and is right at r = 0.
+/// A kernel whose derivative is q times a regular function, offered as `derivative_over_q(q)`: grad W = normalisation /
+/// H^(dim+2) * derivative_over_q(r/H) * (r_a - r_b) then needs no division by the distance and is right at r = 0.
 template <class K>
 concept HasDerivativeOverQ = Kernel<K> && requires(double q) {
     { K::derivative_over_q(q) } -> std::same_as<double>;
 };
 
 /// Such a kernel with w'(q)/q = -cubic_slope (1 - q)^3, cubic_slope > 0, up to q = 1: a pair loop multiplies 1 - q by
-/// the cube root of all constants, which takes no instruction of its own, where their product takes a multiplication.
+/// the cube root of all constants, which needs no extra instruction, whereas their product needs a multiplication.
 template <class K>
 concept HasCubicSlope = HasDerivativeOverQ<K> && requires {
     { K::cubic_slope } -> std::convertible_to<double>;
@@ -74,7 +73,7 @@ concept HasLaplacian = Kernel<K> && requires(double q) {
 };
 
 namespace rules {
-/// Rule: kernels are those of a line, of the plane and of space.
+/// Rule: kernels have one, two or three dimensions.
 template <class Dimension>
 struct NoSuchDimension {
     static_assert(sizeof(Dimension) == 0, "imbibe: kernels exist in 1, 2 and 3 dimensions");
@@ -88,7 +87,7 @@ struct KernelOfAnotherDimension {
 
 namespace detail {
 
-/// The constant that belongs to the dimension.
+/// The kernel's constant for the dimension.
 template <int dim>
 constexpr double for_dimension(double line, double plane, double space) {
     if constexpr (dim < 1 || dim > 3)

@@ -1,4 +1,4 @@
-// The moments of a kernel's gradients over the neighbours there are, and the matrix that corrects the gradients by
+// The moments of a kernel's gradients over the existing neighbours, and the matrix that corrects the gradients with
 // them.
 #pragma once
 
@@ -21,7 +21,7 @@ struct GradientCorrection : Field<Rank::symmetric_tensor> {
 };
 inline constexpr GradientCorrection gradient_correction{};
 
-/// The greatest component of any L_a, on which limits on the step depend. A reduction of terms that correct gradients.
+/// The greatest component of any L_a, which enters time step limits. A reduction of terms that correct gradients.
 ///
 /// Not the greatest eigenvalue, which is up to the dimension times as much.
 ///
@@ -38,14 +38,14 @@ struct GreatestCorrection {
 
 namespace detail {
 
-/// M^-1 where it is trusted, the identity where it is not, and what is between by the share `trust`.
+/// M^-1 where it is trusted, the identity where it is not, and a blend by the share `trust` in between.
 template <class T, int dim>
 struct GatedInverse {
     SymmetricTensor<T, dim> matrix;
     T trust; ///< from 0 to 1
 };
 
-// Trusts M^-1 where 1/|M^-1| is at least `full_above`, not where it is below `none_below`, a straight ramp between.
+// Trusts M^-1 if 1/|M^-1| is at least `full_above`, not if it is below `none_below`, with a linear ramp between.
 template <class T, int dim>
 IMBIBE_INLINE constexpr GatedInverse<T, dim> gated_inverse(const SymmetricTensor<T, dim>& moments, double full_above,
                                                            double none_below) {

@@ -9,9 +9,9 @@ namespace imbibe {
 
 /// w(q) = (1 - q^2)^3. Support radius H = h of the source.
 ///
-/// Good for: averages over neighbours: densities by summation, XSPH velocities, colour fields.
-/// Not for: pressure forces. The slope vanishes at the centre, so two particles that are close no longer repel each
-/// other and stay together; they form clusters under pressure.
+/// Good for: averages over neighbours: densities by summation, XSPH velocities, colour fields. Not for: pressure
+/// forces. The slope vanishes at the centre, so two close particles no longer repel each other and stay together; they
+/// form clusters under pressure.
 ///
 /// Source: Mueller, Charypar and Gross (2003), Eq. 20; the paper, Eq. (20). In 1D and 2D the same shape, normalised
 /// by integration.

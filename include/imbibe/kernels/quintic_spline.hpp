@@ -1,4 +1,4 @@
-// The quintic spline: smoother and wider than the cubic one, and dearer.
+// The quintic spline: smoother, wider and more expensive than the cubic one.
 #pragma once
 
 #include <numbers>
@@ -10,10 +10,10 @@ namespace imbibe {
 /// w(q) = (3 - x)^5 - 6 (2 - x)^5 + 15 (1 - x)^5 with x = 3 q, each power only where its base is positive.
 /// Support radius H = 3 h of the source.
 ///
-/// Good for: viscous flow at low Reynolds number and quiet fields; close to a Gaussian, four times differentiable.
-/// Not for: speed, since at equal resolution it needs (3/2)^dim as many neighbours as the cubic spline; nor for an
-/// H enlarged beyond 3 times the usual smoothing length: as every spline it pairs particles when there are too many
-/// neighbours (Dehnen and Aly 2012), only later than the cubic one.
+/// Good for: viscous flow at low Reynolds number and smooth fields; close to a Gaussian, four times differentiable. Not
+/// for: speed, since at equal resolution it needs (3/2)^dim as many neighbours as the cubic spline; nor for an H beyond
+/// 3 times the usual smoothing length: as every spline it pairs particles if there are too many neighbours (Dehnen and
+/// Aly 2012), only later than the cubic one.
 ///
 /// Source: Schoenberg (1946), M6; Morris, Fox and Zhu (1997), factor 7/(478 pi h^2) in 2D. For 3D the factor
 /// 3/(359 pi h^3) is also in circulation: it does not integrate to one, 1/(120 pi h^3) does.
@@ -36,7 +36,7 @@ struct QuinticSpline {
     template <class T>
     IMBIBE_INLINE static constexpr T derivative(T q, T scale = T(1)) {
         // The three powers cancel at the centre. For x < 1 their sum is 24 x - 24 x^3 + 10 x^4, which does not; both
-        // forms are 10 at x = 1, so with x held at 1 on the far side each, their product is ten times the sum.
+        // forms are 10 at x = 1, so with x clamped to 1 on the other side of each, their product is ten times the sum.
         const T inner = min(T(3) * q, T(1));
         const T outer = min(T(3) * positive_part(T(1) - q), T(2));
         return (T(-1.5) * scale) * (inner * (T(24) - inner * inner * (T(24) - T(10) * inner))) *

@@ -1,4 +1,4 @@
-// The viscosity kernels of space and of the plane: made so that their Laplacian is 1 - q, positive everywhere.
+// The viscosity kernels of three and two dimensions, whose Laplacian is proportional to 1 - q, positive everywhere.
 #pragma once
 
 #include <cmath>
@@ -15,9 +15,9 @@ struct use_ViscosityKernel_in_space;
 
 namespace detail {
 
-/// Below this part of the support radius the value and the derivative of a viscosity kernel stay what they are
-/// there, since at q = 0 they are infinite. Small enough to change the integral of W by less than 1e-11, large
-/// enough for 1/q^2 in float.
+/// Below this share of the support radius the value and the derivative of a viscosity kernel are held constant, because
+/// they are infinite at q = 0. Small enough to change the integral of W by less than 1e-11, large enough for 1/q^2 in
+/// float.
 inline constexpr double viscosity_kernel_floor = 1e-6;
 
 /// The natural logarithm of a positive number; in constant evaluation by halving and a series.
@@ -59,7 +59,7 @@ struct ViscosityKernel {
     /// 15/(2 pi), in 3 dimensions only.
     template <int dim>
     static constexpr double normalisation() {
-        if constexpr (dim != 3) // its Laplacian is another there
+        if constexpr (dim != 3) // its Laplacian is another one there
             detail::break_rule<rules::KernelOfAnotherDimension<ViscosityKernel, std::integral_constant<int, dim>,
                                                                use_ViscosityKernel2D_in_the_plane>>();
         return 15 / (2 * std::numbers::pi);
@@ -114,7 +114,7 @@ struct ViscosityKernel2D {
     /// w(q) = 3/2 q^2 - 2/3 q^3 - ln q - 5/6
     template <class T>
     IMBIBE_INLINE static constexpr T value(T q) {
-        // In u = 1 - q, so that w is exactly zero at the rim; positive_part takes away the logarithm's round-off.
+        // In u = 1 - q, so that w is exactly zero at the rim; positive_part removes the logarithm's round-off.
         const T s = min(max(q, T(detail::viscosity_kernel_floor)), T(1));
         const T u = T(1) - s;
         return positive_part(-detail::logarithm(s) - u * (T(1) + u * (T(0.5) - T(2.0 / 3) * u)));

@@ -12,7 +12,7 @@ struct use_CubicSpline_or_QuinticSpline_on_a_line;
 
 namespace detail {
 
-/// The constant of a kernel that is meant for the plane and for space only.
+/// The constant of a kernel that exists in two and three dimensions only.
 template <class Kernel, int dim>
 constexpr double for_plane_or_space(double plane, double space) {
     if constexpr (dim == 1)
@@ -25,10 +25,10 @@ constexpr double for_plane_or_space(double plane, double space) {
 
 /// w(q) = (1 - q)^4 (1 + 4 q). Support radius H = 2 h of most of the SPH literature, H of Dehnen and Aly.
 ///
-/// Good for: nearly everything; the cheapest of the family. Its Fourier transform is positive, so particles do not
-/// pair however many neighbours there are (Dehnen and Aly 2012).
-/// Not for: densities by summation with few neighbours, where the narrow peak overrates the particle's own part
-/// (Dehnen and Aly 2012); there a spline is better. Tension still clusters particles, as with any bell-shaped kernel.
+/// Good for: nearly everything; the cheapest of the family. Its Fourier transform is positive, so particles do not pair
+/// for any number of neighbours (Dehnen and Aly 2012). Not for: densities by summation with few neighbours, where the
+/// narrow peak overrates the particle's own contribution (Dehnen and Aly 2012); there a spline is better. Tension still
+/// clusters particles, as with any bell-shaped kernel.
 ///
 /// Source: Wendland (1995); Dehnen and Aly (2012), Table 1 (2D and 3D; the family differs in 1D).
 struct WendlandC2 {
@@ -65,8 +65,8 @@ struct WendlandC2 {
 
 /// w(q) = (1 - q)^6 (1 + 6 q + 35/3 q^2). Support radius H.
 ///
-/// Good for: as WendlandC2, where smoother second derivatives matter and 60 to 200 neighbours in 3D can be paid for.
-/// Not for: few neighbours: for the same H it is narrower than C2, so the same accuracy needs a larger H.
+/// Good for: as WendlandC2, where smoother second derivatives matter and 60 to 200 neighbours in 3D are affordable. Not
+/// for: few neighbours: for the same H it is narrower than C2, so the same accuracy needs a larger H.
 ///
 /// Source: Wendland (1995); Dehnen and Aly (2012), Table 1 (2D and 3D; the family differs in 1D).
 struct WendlandC4 {

@@ -1,4 +1,4 @@
-// What a fluid lists that another one does not mix with: the tension of their interface, and how it wets solids.
+// The terms of a fluid that is immiscible with another one: interface tension, and the wetting of solids.
 #pragma once
 
 #include <imbibe/core/method.hpp>
@@ -13,11 +13,11 @@ namespace imbibe {
 /// CapillaryFluid<K>> {};`, `Water` the same, and `struct Between : CouplingOf<Oil, Water, MorrisViscosity<K>> {};`
 /// with the coefficients InterfaceTensionParameters. `presets::TwoLiquids` has all of it.
 ///
-/// In couplings with walls and solids, which bear the pull, ContactAngleParameters say at which angle the interface
-/// meets them.
+/// In couplings with walls and solids, which bear the pull, ContactAngleParameters set the contact angle of the
+/// interface.
 template <class Kernel = WendlandC2>
 struct CapillaryFluid : Method<InterfaceForce<Kernel>> {
-    /// What acts between such a fluid and another one, and between it and a wall or solid.
+    /// The terms between such a fluid and another one, and between it and a wall or solid.
     template <class Liquid, class Other>
     using coupling =
         std::conditional_t<detail::is_fluid<Other>, TypeList<InterfaceTension<Kernel>, InterfaceForce<Kernel>>,

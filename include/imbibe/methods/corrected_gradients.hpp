@@ -1,4 +1,4 @@
-// A weakly compressible fluid whose slow flow does not feel the pressure that it is under.
+// A weakly compressible fluid whose slow flow is not disturbed by a high pressure.
 #pragma once
 
 #include <imbibe/core/method.hpp>
@@ -12,16 +12,16 @@
 
 namespace imbibe {
 
-/// WeaklyCompressible with corrected gradients inside the fluid, and with particles that are shifted where they are
-/// sheared: for flow that is slow under a high pressure, where WeaklyCompressible resists shear as a solid of up to
-/// 0.07 p does, or gives way by itself. An equation of state and a viscosity are listed beside it.
+/// WeaklyCompressible with corrected gradients inside the fluid and particle shifting in shear: for slow flow under a
+/// high pressure, where WeaklyCompressible resists shear like a solid of up to 0.07 p, or is unstable. An equation of
+/// state and a viscosity are listed beside it.
 ///
-/// Towards walls and solids the fluid shows its own correction, and their particles count in it, as those of another
-/// such fluid do.
+/// For walls and solids the fluid's own correction is used, and their particles count in it, as those of another such
+/// fluid do.
 template <class Kernel = WendlandC2>
 struct CorrectedGradients : Method<InnerCorrection<Kernel>, CorrectedContinuity<Kernel>, DensityDiffusion<Kernel>,
                                    DensityFloor, CorrectedPressure<Kernel>, StrainShifting<Kernel>> {
-    /// What acts between such a fluid and a wall or solid, or between two such fluids.
+    /// The terms between such a fluid and a wall or solid, or between two such fluids.
     template <class Liquid, class Other>
     using coupling = std::conditional_t<
         detail::is_fluid<Other>,

@@ -1,4 +1,4 @@
-// The fluid of low-dissipation Riemann pairs.
+// A fluid with the low-dissipation Riemann scheme.
 #pragma once
 
 #include <imbibe/core/method.hpp>
@@ -12,7 +12,7 @@ namespace imbibe {
 /// `Fluid<LinearState, RiemannFluid<K>, DensityFloor>`.
 template <class Kernel = WendlandC2>
 struct RiemannFluid : Method<RiemannContinuity<Kernel>, RiemannPressure<Kernel>> {
-    /// What acts between such a fluid and a wall or solid.
+    /// The terms between such a fluid and a wall or solid.
     template <class Liquid, class Body>
     using coupling = TypeList<Into<Liquid, RiemannWallNormal<Kernel>>, RiemannWallPressure<Kernel>,
                               Into<Liquid, RiemannWallContinuity<Kernel>>>;

@@ -1,4 +1,4 @@
-// A fluid that goes in and out of skeletons whose pores are too small to resolve.
+// A fluid that flows in and out of skeletons with unresolved pores.
 #pragma once
 
 #include <imbibe/methods/weakly_compressible.hpp>
@@ -34,7 +34,7 @@ constexpr bool has_pores(TypeList<T...>) {
 template <class Kernel = WendlandC2>
 struct SeepingFluid
     : Method<VolumeContinuity<Kernel>, PoreDensityDiffusion<Kernel>, PoreDensityFloor, VolumePressure<Kernel>> {
-    /// What acts between such a fluid and a wall or solid.
+    /// The terms between such a fluid and a wall or solid.
     template <class Liquid, class Other>
     using coupling = std::conditional_t<detail::has_pores(typename Other::terms{}),
                                         TypeList<Into<Liquid, PoreSpace<Kernel>>, Into<Other, PoreContents<Kernel>>,

@@ -7,7 +7,7 @@
 namespace imbibe {
 
 /// A total-Lagrangian elastic solid (Ganzenmueller 2015) with hourglass control: `Solid<TotalLagrangianSolid<>>`.
-/// What else it is to have stands beside it: Clamped, TotalLagrangianViscosity, TimeAveragedMotion.
+/// Further terms stand beside it: Clamped, TotalLagrangianViscosity, TimeAveragedMotion.
 /// @tparam Law the stress: StVenantKirchhoff, CompressibleNeoHookean, IsochoricNeoHookean, VolumetricDeviatoric
 template <class Law = StVenantKirchhoff, class Kernel = WendlandC2>
 struct TotalLagrangianSolid : Method<ReferenceCorrection<Kernel>, DeformationGradient<Kernel>, Law,

@@ -1,4 +1,4 @@
-// The drag of a skeleton on the fluid in its pores, and of the fluid on the skeleton.
+// The drag between a skeleton and the fluid in its pores.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -15,7 +15,7 @@ namespace imbibe {
 /// Coefficients of DarcyDrag.
 struct DarcyDragParameters {
     double permeability = required; ///< k of the stress-free skeleton, m^2: a kitchen sponge 1e-9, sand 1e-11
-    double forchheimer_length = 0;  ///< c_F sqrt(k), m: of inertia, with c_F = 0.55 for packed grains (Ward 1964)
+    double forchheimer_length = 0;  ///< c_F sqrt(k), m: inertial drag, with c_F = 0.55 for packed grains (Ward 1964)
 
     /// Throws Error for a number out of range. @param where the coupling in the message
     void check(std::string_view where) const {
@@ -28,9 +28,9 @@ struct DarcyDragParameters {
     }
 };
 
-/// What DarcyDrag computes of the lattice.
+/// The numbers that DarcyDrag prepares from the lattice.
 struct PreparedDarcyDrag {
-    double per_moment = 1; ///< 1 over sum_b V_b |grad_a W_ab| |x_ab|: 1/dim, but for some per cent
+    double per_moment = 1; ///< 1 over sum_b V_b |grad_a W_ab| |x_ab|: 1/dim within some per cent
 };
 
 namespace detail {
@@ -61,22 +61,22 @@ struct DarcyLaw {
 
 } // namespace detail
 
-/// A drag between a fluid's particle a and a particle b of a PorousSkeleton whose pores it fills: with
+/// A drag between a particle a of a fluid and a particle b of the PorousSkeleton whose pores it fills: with
 ///
 ///     K_ab = (n^2 eta/k) V_a V_b |grad_a W_ab| |x_ab|/M,    k = k_0 (n/n_0)^3 ((1 - n_0)/(1 - n))^2,
 ///
-/// in kg/s, the porosity n of the skeleton at b, the viscosity eta of the fluid, the volumes V in all of the space and
-/// the sum M of what stands beside them over a lattice: n^2 eta/k times the difference of the velocities per volume
-/// (Darcy 1856), implicit, so that no step is too long, and equal and opposite. A Forchheimer drag adds c_F sqrt(k_0) n
-/// rho |v_f - v_s| to eta.
+/// in kg/s, the porosity n of the skeleton at b, the viscosity eta of the fluid, the volumes V (per total volume) and
+/// M, the sum of V_b |grad_a W_ab| |x_ab| over a lattice. The force per volume is n^2 eta/k times the velocity
+/// difference (Darcy 1856). It is implicit, so that it does not limit the step, and equal and opposite. A Forchheimer
+/// drag adds c_F sqrt(k_0) n rho |v_f - v_s| to eta.
 ///
 /// In the coupling of a fluid with InPores and a skeleton.
 ///
-/// Not where pores are some spacings wide.
+/// Not for pores some spacings wide, which particles resolve.
 ///
 /// Source: Darcy (1856); Forchheimer (1901); Kozeny (1927) and Carman (1937) for k; the implicit form, own.
 template <class Kernel = WendlandC2>
-struct DarcyDrag : NotStiff { // implicit: no step is too long
+struct DarcyDrag : NotStiff { // implicit: no limit on the step
     using Parameters = DarcyDragParameters;
     using Prepared = PreparedDarcyDrag;
     static constexpr bool between_fluid_and_other = true;
@@ -84,7 +84,7 @@ struct DarcyDrag : NotStiff { // implicit: no step is too long
     using Drag = detail::ImplicitDrag<detail::DarcyLaw<Kernel>>; ///< its two parts
     using parts = Parts<Volume, typename Drag::Rate, typename Drag::Slow>;
 
-    /// Of the scene's lattice.
+    /// Computed from the scene's lattice.
     template <int dim>
     static Prepared prepare(const auto&, const auto&, const Lattice<dim>& lattice, const Parameters&) {
         const double all =

@@ -1,4 +1,4 @@
-// A fluid that begins in the pores of a skeleton: as much of it as there is room.
+// A fluid that starts in the pores of a skeleton.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -11,13 +11,13 @@
 
 namespace imbibe {
 
-/// Gives the particles of a fluid that were added in the pores of a skeleton, or near it, the share of mass and density
-/// that has room there: both are multiplied by the porosity n, as PoreSpace has it. The volume that a particle stands
-/// for stays, and so does the density of the fluid itself, rho/n.
+/// Reduces mass and density of fluid particles that were added in or near a skeleton to the share that fits into the
+/// pores: both are multiplied by the porosity n of PoreSpace. The volume of a particle and the density of the fluid
+/// itself, rho/n, do not change.
 ///
-/// To be called once, after both were added, each with particles that fill its space: `scene.add(water, fill(box, dx),
-/// dx); scene.add(sponge, fill(box, dx), dx); fill_pores(scene, water, sponge)`; and after start_hydrostatic, if the
-/// fluid has weight.
+/// Call it once, after both were added, each with particles that fill its space: `scene.add(water, fill(box, dx), dx);
+/// scene.add(sponge, fill(box, dx), dx); fill_pores(scene, water, sponge)`; and after start_hydrostatic, if the fluid
+/// has weight.
 /// @tparam Kernel that of PoreSpace
 template <class Kernel = WendlandC2, class Scene, class Fluid, class Skeleton>
 void fill_pores(Scene& scene, Fluid fluid, Skeleton skeleton) {

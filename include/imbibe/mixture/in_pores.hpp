@@ -1,4 +1,4 @@
-// The state of a fluid that may be in the pores of a skeleton.
+// The state of a fluid that may flow in the pores of a skeleton.
 #pragma once
 
 #include <imbibe/fluid/density_diffusion.hpp>
@@ -12,7 +12,7 @@
 
 namespace imbibe {
 
-/// The pressure of the fluid itself, Pa; its `pressure` is the force on all of an area (InPores).
+/// The pressure of the fluid itself, Pa; its `pressure` is the force per total area (InPores).
 struct PorePressureField : Field<Rank::scalar> {
     static constexpr std::string_view name = "pore_pressure", unit = "Pa";
     static constexpr bool shown = true;
@@ -26,7 +26,7 @@ struct Wetting : Field<Rank::scalar> {
 inline constexpr Wetting wetting{};
 
 namespace detail {
-// A particle of a fluid in pores as its equation of state sees it: with the density of the fluid itself.
+// A particle of a fluid in pores, for its equation of state: with the density of the fluid itself.
 template <class A>
 struct InsidePores {
     using Material = typename A::Material;
@@ -54,25 +54,25 @@ IMBIBE_INLINE constexpr auto inner_solid_share(const auto& fluid) {
 }
 } // namespace detail
 
-/// The state of a fluid that may be in the pores of a skeleton:
+/// The state of a fluid that may flow in the pores of a skeleton:
 ///
 ///     n_a = 1 - A_a/max(B_a, 0.95),    p = State(rho/n),    P = n p + (1 - n) kappa, in Pa,
 ///
-/// with the sums A and B of PoreSpace. The porosity n is the share of the space that the fluid has. In a skeleton that
-/// is the same everywhere it is the same everywhere, wherever particles lie; at its surface it rises to 1 over a
-/// support radius. The density rho is the mass in all of the space, n times that of the fluid itself, and p is the
-/// fluid's `pore_pressure`. P is its `pressure`, the force on all of an area. With these two the fluid in the pores has
-/// the equations of a fluid in free space, and the same terms; PorePressure adds what the skeleton does.
+/// with the sums A and B of PoreSpace. The porosity n is the share of space that the fluid fills. In a uniform skeleton
+/// it is uniform for any arrangement of particles; at the surface it rises to 1 over a support radius. The density rho
+/// is the mass per total volume, n times that of the fluid itself, and p is the fluid's `pore_pressure`. P is its
+/// `pressure`, the force per total area. With these two the fluid in the pores has the equations of a fluid in free
+/// space, and the same terms; PorePressure adds the action of the skeleton.
 ///
-/// kappa = p_c n_0/(1 - n_0) is by how much a skeleton with the porosity n_0 is wetted: the fluid gains the energy
-/// kappa (1 - n)/n per volume of it in the pores, which is the suction p_c in the stress-free ones. At a free surface P
-/// is 0, and p is less than that by as much: a front in dry pores is drawn forward. In the fluid behind it p is
-/// negative and P is not, so its particles do not clump.
+/// kappa = p_c n_0/(1 - n_0) is the wetting of a skeleton with the porosity n_0: the fluid gains the energy kappa (1 -
+/// n)/n per volume of it in the pores, which gives the suction p_c in the stress-free skeleton. At a free surface P is
+/// 0, and p is less by the suction: a front in dry pores is drawn forward. In the fluid behind it p is negative but P
+/// is not, so its particles do not clump.
 ///
-/// `fill_pores` gives particles that begin inside a skeleton their mass and density.
+/// `fill_pores` gives particles that start inside a skeleton their mass and density.
 ///
-/// Not beside DensityFloor or DensityDiffusion, which take densities for those of the fluid itself: PoreDensityFloor
-/// and PoreDensityDiffusion. Not for pores that fill at different suctions.
+/// Not beside DensityFloor or DensityDiffusion, which use the density of the fluid itself: take PoreDensityFloor and
+/// PoreDensityDiffusion. Not for pores with a distribution of suctions.
 ///
 /// Source: Biot (1941), with incompressible grains; the quotient, Shepard (1968); the energy of wetting as a function
 /// of the porosity, own.
@@ -109,7 +109,7 @@ struct InPores {
         using reduces = Sum<StoredEnergy>;
 
         double operator()(const auto& a) const {
-            const double n = a[porosity] > 0 ? a[porosity] : 1; // not computed yet
+            const double n = a[porosity] > 0 ? a[porosity] : 1; // before the first evaluation
             return a[mass] * (0.5 * sq(a.material.sound_speed * (a[density] / (n * a.material.density) - 1)) -
                               a[wetting] * (1 - n) / a[density]);
         }
@@ -126,7 +126,7 @@ struct InPores {
 struct PoreDensityDiffusionParameters {
     /// Strength outside the skeleton, without unit, as DensityDiffusionParameters::delta.
     double delta = 0.1;
-    /// Strength inside it. What is smoothed, the pressure, is what drives the flow there.
+    /// Strength inside it. It smooths the pressure, which drives the flow there.
     double delta_in_pores = 0.01;
 
     /// Throws Error for a number out of range. @param where the phase in the message
@@ -136,14 +136,14 @@ struct PoreDensityDiffusionParameters {
     }
 };
 
-/// drho_a/dt += h c sum_b V_b (delta_a n_a + delta_b n_b) (r_b - r_a - s_ab rho_0/c^2 g.(x_b - x_a)) (x_b -
-/// x_a).grad_a W_ab/|x_ab|^2, in kg/m^3/s: DensityDiffusion of the density r = rho/n of the fluid itself. From outside
-/// the skeleton to its inside delta changes with the sum B of PoreSpace.
+/// drho_a/dt += h c sum_b V_b (delta_a n_a + delta_b n_b) (r_b - r_a - s_ab rho_0/c^2 g.(x_b - x_a)) (x_b - x_a).grad_a
+/// W_ab/|x_ab|^2, in kg/m^3/s: DensityDiffusion of the density r = rho/n of the fluid itself. From outside to inside
+/// the skeleton delta varies with the sum B of PoreSpace.
 ///
-/// In place of DensityDiffusion in a fluid with InPores, whose pressure is a checkerboard without it.
+/// Use it in place of DensityDiffusion in a fluid with InPores, whose pressure is a checkerboard without it.
 ///
-/// Not stronger than it must be: inside, delta h c should be small beside the diffusivity k (K + 4 G/3)/eta of the
-/// pressure, times the fluid's bulk modulus over the skeleton's.
+/// Not stronger than necessary: inside, delta h c should be small compared with the diffusivity k (K + 4 G/3)/eta of
+/// the pressure, times the fluid's bulk modulus over the skeleton's.
 ///
 /// Source: as DensityDiffusion.
 template <class Kernel = WendlandC2>
@@ -179,13 +179,13 @@ struct PoreDensityDiffusion {
     }
 };
 
-/// drho_a/dt += rate c/spacing max(n (1 - slack) rho_0 - (1 - n) kappa/c^2 - rho_a, 0), in kg/m^3/s: DensityFloor of a
-/// fluid with InPores, whose `pressure` then does not fall far below 0. In pores it bears the suction, and lets go
-/// where it is pulled harder: there the pores drain.
+/// drho_a/dt += rate c/spacing max(n (1 - slack) rho_0 - (1 - n) kappa/c^2 - rho_a, 0), in kg/m^3/s: DensityFloor for a
+/// fluid with InPores, whose `pressure` then does not fall far below 0. In pores the fluid bears the suction; under
+/// more tension the pores drain.
 ///
-/// In place of DensityFloor, with the same coefficients.
+/// Use it in place of DensityFloor, with the same coefficients.
 ///
-/// Not for a fluid that cannot part: one that fills a closed box.
+/// Not for a fluid that cannot open voids, such as one that fills a closed box.
 ///
 /// Source: that of DensityFloor.
 struct PoreDensityFloor {

@@ -1,4 +1,4 @@
-// How the fluid in the pores of a skeleton and the skeleton push each other.
+// The forces between a skeleton and the fluid in its pores.
 #pragma once
 
 #include <imbibe/mixture/in_pores.hpp>
@@ -10,30 +10,30 @@
 
 namespace imbibe {
 
-/// The forces by which the pore pressure p, and the wetting, do work as the porosity n of PoreSpace changes with the
-/// places of the particles: on a particle a of the fluid
+/// The forces of the pore pressure p and the wetting, from their work as the porosity n of PoreSpace changes with the
+/// positions of the particles: on a particle a of the fluid
 ///
 ///     F_a = - V_a (p_a - kappa) sum_b (v_b - s_a V_b)/max(B_a, 0.95) grad_a W_ab, in N,
 ///
 /// with its volume V_a = m/rho, the wetting kappa, s = 1 - n where B > 0.95 and 0 outside, and the opposite on each
-/// particle b of the skeleton with its solid and present volume v and V. As the porosity changes by the deformation of
-/// the skeleton: PoreContents.
+/// particle b of the skeleton with its solid and present volume v and V. PoreContents has the forces from the change of
+/// the porosity by the deformation of the skeleton.
 ///
-/// VolumePressure pushes the fluid by - grad P. With this force the fluid has - n grad p, and the skeleton has its
-/// buoyancy, - (1 - n) grad p. All of it is the derivative of the energy that InPores stores, so energy is lost to no
-/// one. In a skeleton that is the same everywhere F is 0 pair by pair, wherever the particles lie.
+/// VolumePressure gives the fluid the force - grad P. With this force the fluid has - n grad p, and the skeleton has
+/// its buoyancy, - (1 - n) grad p. All forces are the derivative of the energy that InPores stores, so energy is
+/// conserved. In a uniform skeleton F is 0 pair by pair, for any arrangement of particles.
 ///
 /// In the coupling of a fluid with InPores and a solid with PorousSkeleton: `PoreSpace`, `PoreContents`, this and
-/// `DarcyDrag`, which CouplingOf lists for a SeepingFluid.
+/// `DarcyDrag`. CouplingOf lists them for a SeepingFluid.
 ///
-/// Not between the skeleton and a wall: what the wall is to bear of it is a matter of their contact. Walls push the
-/// fluid in the pores with P.
+/// Not between the skeleton and a wall: how much of it the wall bears depends on their contact. Walls push the fluid in
+/// the pores with P.
 ///
 /// Source: the equations, Biot (1941); the sums, own, by virtual work.
 template <class Kernel = WendlandC2>
 struct PorePressure {
     static constexpr bool between_fluid_and_other = true;
-    static constexpr bool overlapping = true; ///< no warning that the two are in the same place
+    static constexpr bool overlapping = true; ///< no warning that the two overlap
     struct Push {
         using reads =
             Fields<mass, volume, pore_pressure, wetting, porosity, skeleton_sum, solid_volume, present_volume>;
@@ -51,8 +51,8 @@ struct PorePressure {
 
     static constexpr const char* limit_name = "pore pressure";
     /// max(spacing, 0.6 H)/(c + v), s, with c^2 = c_f^2 (1 + 0.36 (1 - n)^2 rho_f/(n rho_s)) + c_s^2, the fluid's speed
-    /// of sound c_f, the skeleton's porosity n, the density rho_s of all of it and its speed of longitudinal waves c_s:
-    /// sound in the two together. 0.36, in place of 1 of waves that are long, is that of interface_time_step.
+    /// of sound c_f, the skeleton's porosity n, its density rho_s per total volume and its speed of longitudinal waves
+    /// c_s: sound in the two together. 0.36, instead of 1 for long waves, is that of interface_time_step.
     static double time_step_limit(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
         if constexpr (!detail::is_fluid<std::remove_cvref_t<decltype(material_a)>>)
             return time_step_limit(material_b, material_a, in);
@@ -67,13 +67,13 @@ struct PorePressure {
     }
 };
 
-/// What the pores of a particle b of a skeleton hold: the sum_a V_a W_ab of the volumes V = m/rho of the fluid's
-/// particles a, which Saturation is made of, and
+/// The contents of the pores at a particle b of a skeleton: the sum_a V_a W_ab of the volumes V = m/rho of the fluid's
+/// particles a, from which Saturation follows, and
 ///
 ///     q_b = sum_a V_a (p_a - kappa) s_a/B_a W_ab, in Pa,
 ///
-/// with the names of PorePressure: (1 - n) (p - kappa), the stress with which the fluid and its wetting resist that the
-/// skeleton's volume changes. Together with P it is p: the stress of the two is that of the drained skeleton, and p.
+/// with the symbols of PorePressure: (1 - n) (p - kappa), the stress with which the fluid and its wetting resist a
+/// volume change of the skeleton. Together with P it is p: the total stress is that of the drained skeleton, and p.
 ///
 /// Goes `Into` the skeleton, beside PorePressure.
 ///

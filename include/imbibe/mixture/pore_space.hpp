@@ -1,4 +1,4 @@
-// The space that a skeleton leaves to a fluid that overlaps it, where pores are too small to resolve.
+// The space that a skeleton with unresolved pores leaves to a fluid that overlaps it.
 #pragma once
 
 #include <imbibe/core/lattice.hpp>
@@ -29,9 +29,9 @@ inline constexpr WettingSum wetting_sum{};
 
 /// Coefficients of PoreSpace.
 struct PoreSpaceParameters {
-    /// p_c by which a front of the fluid is drawn into dry pores of the stress-free skeleton, Pa: 2 gamma cos(theta)/r
-    /// with the surface tension gamma, the contact angle theta and the radius r of the pores. Water in pores of 0.3 mm:
-    /// 400.
+    /// p_c, the suction that draws a front of the fluid into dry pores of the stress-free skeleton, Pa: 2 gamma
+    /// cos(theta)/r with the surface tension gamma, the contact angle theta and the radius r of the pores. Water in
+    /// pores of 0.3 mm: 400.
     double suction = 0;
 
     /// Throws Error for a number out of range. @param where the coupling in the message
@@ -40,15 +40,15 @@ struct PoreSpaceParameters {
     }
 };
 
-/// What PoreSpace computes of the skeleton.
+/// The numbers that PoreSpace prepares from the skeleton.
 struct PreparedPoreSpace {
     double wetting = 0; ///< kappa, Pa
 };
 
 /// A_a = sum_b v_b W_ab and B_a = sum_b V_b W_ab, without unit, for a particle a of a fluid and the particles b of a
-/// PorousSkeleton, with their solid volumes v and present volumes V: what InPores makes the porosity of. A third sum is
-/// sum_b kappa v_b W_ab, in Pa, with kappa = p_c n_0/(1 - n_0), the suction p_c of dry pores and the porosity n_0 of
-/// the stress-free skeleton.
+/// PorousSkeleton, with their solid volumes v and present volumes V: InPores computes the porosity from them. A third
+/// sum is sum_b kappa v_b W_ab, in Pa, with kappa = p_c n_0/(1 - n_0), the suction p_c of dry pores and the porosity
+/// n_0 of the stress-free skeleton.
 ///
 /// Goes `Into` the fluid that overlaps the skeleton.
 ///
@@ -58,7 +58,7 @@ struct PreparedPoreSpace {
 template <class Kernel = WendlandC2>
 struct PoreSpace {
     static constexpr bool one_sided = true;
-    static constexpr bool overlapping = true; ///< no warning that the two are in the same place
+    static constexpr bool overlapping = true; ///< no warning that the two overlap
     using Parameters = PoreSpaceParameters;
     using Prepared = PreparedPoreSpace;
     struct Sum { // a: fluid, b: skeleton
@@ -73,7 +73,7 @@ struct PoreSpace {
     };
     using parts = Parts<Sum>;
 
-    /// Of the skeleton's material.
+    /// Computed from the skeleton's material.
     template <int dim>
     static Prepared prepare(const auto& material_a, const auto& material_b, const Lattice<dim>&,
                             const Parameters& parameters) {

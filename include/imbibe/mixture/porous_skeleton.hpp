@@ -1,4 +1,4 @@
-// An elastic skeleton whose pores are too small to resolve: a solid that a fluid overlaps.
+// An elastic skeleton with unresolved pores: a solid that a fluid overlaps.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -15,26 +15,26 @@
 
 namespace imbibe {
 
-/// The volume of the grains or struts in a particle of a skeleton, m^3 (m^2 in 2D). It does not change.
+/// The volume of the grains or struts in a particle of a skeleton, m^3 (m^2 in 2D). It is constant.
 struct SolidVolume : Field<Rank::scalar> {
     static constexpr std::string_view name = "solid_volume", unit = "m^3";
 };
 inline constexpr SolidVolume solid_volume{};
 
-/// The volume of a particle of a skeleton with its pores, as it is now, m^3 (m^2 in 2D).
+/// The present volume of a particle of a skeleton with its pores, m^3 (m^2 in 2D).
 struct PresentVolume : Field<Rank::scalar> {
     static constexpr std::string_view name = "present_volume", unit = "m^3";
 };
 inline constexpr PresentVolume present_volume{};
 
-/// The share of the pores of a skeleton that is full of fluid, without unit, 0 to 1.
+/// The share of a skeleton's pores that is filled with fluid, without unit, 0 to 1.
 struct Saturation : Field<Rank::scalar> {
     static constexpr std::string_view name = "saturation", unit = "1";
     static constexpr bool shown = true;
 };
 inline constexpr Saturation saturation{};
 
-/// sum_a V_a W_ab over the particles a of the fluids in the pores, without unit: 1 where they are full.
+/// sum_a V_a W_ab over the particles a of the fluids in the pores, without unit: 1 in full pores.
 struct FluidSum : Field<Rank::scalar> {
     static constexpr std::string_view name = "fluid_sum", unit = "1";
 };
@@ -55,8 +55,8 @@ inline constexpr PoreStress pore_stress{};
 /// Coefficients of PorousSkeleton.
 struct PorousSkeletonParameters {
     double porosity = required; ///< n_0 of the dry, stress-free skeleton, without unit: a kitchen sponge 0.9, sand 0.4
-    double swelling = 0;        ///< e, the strain in each direction of a skeleton that is full, without unit
-    double softening = 0;       ///< d, the share of its moduli that a skeleton loses that is full, without unit
+    double swelling = 0;        ///< e, the strain in each direction of a saturated skeleton, without unit
+    double softening = 0;       ///< d, the share of its moduli that a saturated skeleton loses, without unit
 
     /// Throws Error for a number out of range. @param where the phase in the message
     void check(std::string_view where) const {
@@ -72,10 +72,10 @@ struct PorousSkeletonParameters {
 
 namespace detail {
 
-// Below this sum of volumes around it a particle is at the surface of what it is in, or outside.
+// A particle with a smaller sum of volumes around it is at the surface of the body, or outside.
 inline constexpr double least_inner_sum = 0.95;
 
-// Of the two particles of a pair the one that is a fluid, or is none.
+// The fluid of a pair, or the particle that is not a fluid.
 template <bool fluid, class A, class B>
 IMBIBE_INLINE constexpr const auto& one_of(const A& a, const B& b) {
     if constexpr (is_fluid<typename A::Material> == fluid)
@@ -83,7 +83,7 @@ IMBIBE_INLINE constexpr const auto& one_of(const A& a, const B& b) {
     else
         return b;
 }
-// The numbers of that of two materials which is a skeleton.
+// The parameters of the skeleton among two materials.
 constexpr const PorousSkeletonParameters& skeleton_of(const auto& material_a, const auto& material_b) {
     if constexpr (is_fluid<std::remove_cvref_t<decltype(material_a)>>)
         return material_b.coefficients.template get<PorousSkeletonParameters>();
@@ -91,7 +91,7 @@ constexpr const PorousSkeletonParameters& skeleton_of(const auto& material_a, co
         return material_a.coefficients.template get<PorousSkeletonParameters>();
 }
 
-// A particle of a skeleton as its law of stress sees it: without the strain by which it has swollen.
+// A particle of a skeleton, for its law of stress: without the strain of swelling.
 template <class A>
 struct Unswollen {
     using Material = typename A::Material;
@@ -116,16 +116,17 @@ struct Unswollen {
 ///
 ///     P = (1 - d S) l^(dim-1) P_law(F/l) - q J F^-T, in Pa,    l = 1 + e S,
 ///
-/// with the saturation S = min(1, sum_a V_a W_ab/(0.95 sum_c V_c W_bc)) by the fluid's particles a (PoreContents) and
+/// with the saturation S = min(1, sum_a V_a W_ab/(0.95 sum_c V_c W_bc)) from the fluid's particles a (PoreContents) and
 /// the neighbours c of the particle b in the stress-free skeleton, swelling e, softening d, and the stress q with which
 /// the fluid in the pores resists a change of their volume (PorePressure). The material's density is that of the dry
-/// skeleton in all of its volume, (1 - n_0) times that of the grains, and its moduli are those of the dry, drained one.
+/// skeleton per total volume, (1 - n_0) times that of the grains, and its moduli are those of the dry, drained
+/// skeleton.
 ///
-/// Its solid volumes v_a = (1 - n_0) V_a and present volumes J V_a, in m^3, with the stress-free volume V = m/rho, are
-/// what PoreSpace makes the porosity of: inside it is n = 1 - (1 - n_0)/J. The grains do not change their volume, and
-/// what swells are the pores.
+/// PoreSpace computes the porosity from its solid volumes v_a = (1 - n_0) V_a and present volumes J V_a, in m^3, with
+/// the stress-free volume V = m/rho: inside it is n = 1 - (1 - n_0)/J. The grains do not change their volume; only the
+/// pores swell.
 ///
-/// Not for skeletons whose pores are some spacings wide: those are resolved. Not around VolumetricDeviatoric or
+/// Not for skeletons with pores some spacings wide: resolve those. Not around VolumetricDeviatoric or
 /// FiniteStrainLimit.
 ///
 /// Source: Biot (1941), with incompressible grains; swelling and softening in proportion to the saturation, as
@@ -196,7 +197,7 @@ struct PorousSkeleton {
             const auto& of = a.material.coefficients.template get<Parameters>();
             const double stretch = 1 + of.swelling * a[saturation];
             if (!(determinant(F) > 0))
-                return 0; // not computed yet
+                return 0; // before the first evaluation
             return a[stress_share] * a[mass] / a.material.density * (1 - of.softening * a[saturation]) *
                    power<dim>(stretch) * Law::stored_energy(a.material, (1 / stretch) * F);
         }
@@ -204,7 +205,7 @@ struct PorousSkeleton {
     using reductions = Parts<Energy>;
 
     static constexpr const char* limit_name = Law::limit_name;
-    /// That of the law, dry, s.
+    /// The limit of the law, dry, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return Law::time_step_limit(material, in);
     }

@@ -1,23 +1,22 @@
-// How far the particles of a phase have moved since a moment that one chooses.
+// How far the particles of a phase have moved since a chosen time.
 #pragma once
 
 #include <imbibe/solver/solver.hpp>
 
 namespace imbibe {
 
-/// Remembers where the particles of a phase are, by number, and measures from there; for any solid, total Lagrangian
-/// or not. Not for phases from which particles are removed and to which others are added. Throws Error where a particle
-/// was not there at the start.
+/// Stores the positions of the particles of a phase, by number, and measures displacements from there; for any solid,
+/// total Lagrangian or not. Not for phases from which particles are removed and to which others are added. Throws Error
+/// for a particle that was not there at the start.
 ///
-/// In a periodic box, particles that leave on one side come back on the other, but for those of total-Lagrangian
-/// solids, which keep their places beyond it. A probe that knows the scene's settings measures across that side, as
-/// long as no particle has moved by half a period; without them a particle that came back seems to have moved by a
-/// period.
+/// In a periodic box, particles that leave on one side come back on the other, except those of total-Lagrangian solids,
+/// whose positions continue beyond it. A probe that knows the scene's settings measures across that side, as long as no
+/// particle has moved by half a period; without them a particle that came back seems to have moved by a period.
 template <int dim>
 class DisplacementProbe {
 public:
-    /// Measures from where the particles are now: `DisplacementProbe<3> probe(scene[sponge])`; in a scene that is
-    /// periodic, `DisplacementProbe<3> probe(scene[sponge], scene.settings())`.
+    /// Measures from the present positions: `DisplacementProbe<3> probe(scene[sponge])`; in a periodic scene,
+    /// `DisplacementProbe<3> probe(scene[sponge], scene.settings())`.
     template <class View>
     explicit DisplacementProbe(const View& phase, const Settings<dim>& settings = {})
         : start(static_cast<std::size_t>(phase.size())) {
@@ -45,7 +44,7 @@ public:
         each(phase, [&](const Eigen::Matrix<double, dim, 1>& u) { total += u; });
         return total / phase.size();
     }
-    /// The same over the particles that started where `chosen(x)`, with places as the view has them.
+    /// The same over the particles that started where `chosen(x)` is true, with positions as in the view.
     template <class View, class Chosen>
     Eigen::Matrix<double, dim, 1> mean_vector(const View& phase, const Chosen& chosen) const {
         Eigen::Matrix<double, dim, 1> total = Eigen::Matrix<double, dim, 1>::Zero();

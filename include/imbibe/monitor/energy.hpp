@@ -13,7 +13,7 @@ namespace imbibe {
 struct list_a_law_with_stored_energy_such_as_CompressibleNeoHookean;
 
 namespace rules {
-/// Rule: the elastic energy is that of a phase with a law that says what a deformation stores.
+/// Rule: the elastic energy needs a phase whose law has a stored energy.
 template <class Phase, class Advice>
 struct NoStoredEnergy {
     static_assert(sizeof(Phase) == 0, "imbibe: elastic_energy: no term of this phase has a stored_energy");
@@ -21,12 +21,12 @@ struct NoStoredEnergy {
 } // namespace rules
 
 namespace detail {
-/// Does the term say what a deformation of the solid stores? Only one that suits it is asked.
+/// Does the term have a stored energy? Only a term that suits the solid is asked.
 template <int dim, class Solid, class Term>
 concept HasStoredEnergy = suits<Solid, Term> && requires(const Solid& solid, const Tensor<double, dim>& F) {
     Term::stored_energy(solid, F);
 };
-/// Does a term of a solid say what a deformation stores?
+/// Does a term of a solid have a stored energy?
 template <int dim, class Solid, class Terms>
 inline constexpr bool has_stored_energy = false;
 template <int dim, class Solid, class... Terms>
@@ -52,24 +52,24 @@ double compression_energy(const View& phase) {
     return detail::reduced_by<CompressionEnergy>(phase);
 }
 
-/// The sum of ShearEnergy, J: of a solid with a stress rate (JaumannStress). By its volume it stores
+/// The sum of ShearEnergy, J: of a solid with a stress rate (JaumannStress). Its volumetric energy is
 /// `compression_energy`.
 template <int dim, class View>
 double shear_energy(const View& phase) {
     return detail::reduced_by<ShearEnergy>(phase);
 }
 
-/// What the terms of a phase say that it stores, J, by their reductions Sum<StoredEnergy>: equations of state their
-/// CompressionEnergy, stress rates ShearEnergy, laws of total-Lagrangian solids ElasticEnergy (VolumetricDeviatoric and
-/// PairwiseShearForce that of IsochoricNeoHookean). Hourglass control and repulsions say nothing.
+/// The energy that the terms of a phase store, J, by their reductions Sum<StoredEnergy>: CompressionEnergy of equations
+/// of state, ShearEnergy of stress rates, ElasticEnergy of laws of total-Lagrangian solids (VolumetricDeviatoric and
+/// PairwiseShearForce: that of IsochoricNeoHookean). Hourglass control and repulsions are not included.
 template <class View>
 double stored_energy(const View& phase) {
     return reduced<Sum<StoredEnergy>>(phase);
 }
 
-/// The same of a total-Lagrangian solid, by the energy density of its law (StVenantKirchhoff::stored_energy,
+/// The same for a total-Lagrangian solid, by the energy density of its law (StVenantKirchhoff::stored_energy,
 /// CompressibleNeoHookean::stored_energy, IsochoricNeoHookean::stored_energy). Does not compile for a phase whose terms
-/// have none, as those of VolumetricDeviatoric, whose energy is not that of single particles.
+/// have none, such as VolumetricDeviatoric, whose energy is not that of single particles.
 template <int dim, class View>
 double elastic_energy(const View& phase) {
     using Solid = std::remove_cvref_t<decltype(phase.material())>;
@@ -79,8 +79,9 @@ double elastic_energy(const View& phase) {
     return stored_energy(phase);
 }
 
-/// sum_a m_a h_a, J: the heat of a phase with HeatCapacity or Melting above that at its reference temperature, and what a
-/// wall with a SurfaceTemperature has taken up. Over all phases of a scene without HeatFromWalls and EnthalpyAdvection it does not change.
+/// sum_a m_a h_a, J: the heat of a phase with HeatCapacity or Melting above that at its reference temperature, or the
+/// heat that a wall with a SurfaceTemperature has taken up. The sum over all phases of a scene without HeatFromWalls
+/// and EnthalpyAdvection is constant.
 template <class View>
 double thermal_energy(const View& phase) {
     return reduced<Sum<ThermalEnergy>>(phase);

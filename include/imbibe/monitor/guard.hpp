@@ -1,4 +1,4 @@
-// Watches a run and ends it with a cause where it has gone wrong, before its numbers are worth nothing.
+// Watches a run and ends it with a cause when it has gone wrong.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -13,19 +13,19 @@
 namespace imbibe {
 
 namespace rules {
-/// Rule: a guard is of its scene's dimension.
+/// Rule: a guard has its scene's dimension.
 template <class Given, class Needed>
 struct GuardOfAnotherDimension {
     static_assert(sizeof(Given) == 0, "imbibe: a Guard is of its scene's dimension: replace the first by the second");
 };
 } // namespace rules
 
-/// An observer for `run_until` that throws Diverged where the scene is out of its bounds. Without one nothing of this
+/// An observer for `run_until` that throws Diverged when the scene leaves its bounds. Without a guard nothing of this
 /// is computed.
 template <int dim>
 class Guard {
 public:
-    /// With the bounds that GuardSettings begins with.
+    /// With the default bounds of GuardSettings.
     Guard() = default;
     /// With other bounds: `Guard<2>({.upper = {1, 1}})`.
     /// @throws Error for a bound out of range
@@ -33,22 +33,22 @@ public:
     requires std::same_as<Bounds, GuardSettings<dim>>
     explicit Guard(const Bounds& with) : settings_(with) { with.check(); }
 
-    /// The observer: a glance after every step, a look at all particles after every `interval` steps, at the pores too
-    /// after every `pore_interval`.
+    /// The observer: a quick check after every step, a check of all particles every `interval` steps, and of the pores
+    /// every `pore_interval` steps.
     /// @throws Diverged
     template <class Scene>
     void operator()(const Scene& scene) {
         if constexpr (check_dimension<Scene>())
             look_after_step<typename Scene::Real>(scene);
     }
-    /// Looks at everything now, for example before a checkpoint is written, so that it is a good one.
+    /// Checks everything now, for example so that only a good checkpoint is written.
     /// @throws Diverged
     template <class Scene>
     void look(const Scene& scene) {
         if constexpr (check_dimension<Scene>())
             look_at_all<typename Scene::Real>(scene);
     }
-    /// Forgets the energies it has seen, as after a return to an earlier state.
+    /// Forgets the energies recorded so far, as after a return to an earlier state.
     void start_anew() { start_.reset(); }
 
     /// @cond the same for any scene with these numbers
@@ -75,13 +75,13 @@ private:
     GuardSettings<dim> settings_;
     struct Balance {
         double energy, kinetic, potential;                         // kinetic and potential; J
-        long long particles, ever, steps;                          // how many there are, and were ever added
+        long long particles, ever, steps;                          // present number, and number ever added
         std::array<double, static_cast<std::size_t>(dim)> gravity; // m/s^2
-        double stored = 0;                                         // of what can be released, J; at the first look
+        double stored = 0;                                         // energy that can be released, J; at the first look
     };
     std::optional<Balance> start_; ///< at the first look
     double kinetic_most_ = 0;
-    double excess_ = 0; ///< energy that has come from nowhere (below 0: that was lost) since the first look, J
+    double excess_ = 0; ///< energy created since the first look (below 0: lost), J
 
     template <class Real>
     void look_at_particles(const Run<Real>& scene);
@@ -106,7 +106,7 @@ private:
                            const std::string& what) const;
 };
 
-/// A guard is of the dimension of its bounds.
+/// The guard takes the dimension of its bounds.
 template <int dim>
 Guard(const GuardSettings<dim>&) -> Guard<dim>;
 

@@ -15,7 +15,7 @@ namespace imbibe {
 
 namespace detail {
 
-/// The least and the greatest of some numbers, and where they are.
+/// The least and the greatest of some numbers, and their places.
 struct Extremes {
     double least, most;
     int of_least, of_most;
@@ -31,7 +31,7 @@ double farthest_from_zero(std::span<const Number> all) {
     const Extremes found = extremes_of(all);
     return std::max(-found.least, found.most);
 }
-/// A column of a phase without the room behind its particles.
+/// A column of a phase without the padding behind its particles.
 template <int dim, class Real>
 std::span<const Real> numbers_in(const PhaseStore<dim, Real>& phase, int column) {
     return {phase.column(column), static_cast<std::size_t>(phase.size())};
@@ -58,7 +58,7 @@ IMBIBE_CODE std::string likely_reason(const std::vector<TimeStepLimit>& limits, 
                 least.reason, ", ", least.where, "): look for a sound speed too low for the speeds that occur, ",
                 "forces that the limits do not know, or a start with overlaps; a lower cfl tells these apart");
 }
-/// What the terms of all that moves store, J.
+/// The energy stored by the terms of all moving phases, J.
 template <int dim, class Real>
 double stored_in(const SceneStore<dim, Real>& scene) {
     double stored = 0;
@@ -67,7 +67,7 @@ double stored_in(const SceneStore<dim, Real>& scene) {
             stored += reduced(scene.phase(row.phase), row, scene.threads);
     return stored;
 }
-/// What it takes to lift everything by a share of its spacing, J: a scene that starts at rest settles by that much.
+/// The energy that lifts everything by a share of its spacing, J: a scene that starts at rest settles by that much.
 template <int dim, class Real>
 double lift(const SceneStore<dim, Real>& scene, double share) {
     double energy = 0;
@@ -161,7 +161,8 @@ template <class Real>
 void Guard<dim>::look_at(const Run<Real>& scene, const Phase<Real>& phase) const {
     if (phase.size() == 0)
         return;
-    // All that is given or integrated, a program's own fields among them: what nothing else reads would not show.
+    // All given or integrated fields, a program's own among them: an error in a field that nothing else reads would not
+    // show.
     for (const detail::FieldRow& field : phase.row->fields)
         if (field.is_state)
             require_finite(scene, phase, field);
@@ -194,7 +195,7 @@ void Guard<dim>::look_at(const Run<Real>& scene, const Phase<Real>& phase) const
     }
 }
 
-// Is a particle that moves among those of a wall? The lists of neighbours are those of the last search.
+// Is a moving particle inside a wall? The neighbour lists are those of the last search.
 template <int dim>
 template <class Real>
 void Guard<dim>::look_for_walls(const Run<Real>& scene, const detail::Link& link) const {
@@ -241,7 +242,7 @@ void Guard<dim>::look_at_pores_of(const Run<Real>& scene, const Phase<Real>& bod
     if (body.size() == 0 || !(particle > 0))
         return;
     const auto& set = scene.settings();
-    // Particles of a lattice fit exactly or, by rounding, not quite.
+    // Particles of a lattice fit exactly or, by rounding, almost.
     const double spacing = body.numbers().spacing, widest = (1 - 1e-3) * settings_.least_pore * particle;
     const double reach = detail::reach_of_passages(spacing, widest);
     for (const double period : set.periodic_length)
@@ -267,8 +268,8 @@ void Guard<dim>::look_at_pores_of(const Run<Real>& scene, const Phase<Real>& bod
                    Cause::narrow_pore, body.name, where, scene.time(), scene.steps());
 }
 
-// Internal forces turn kinetic and potential energy into heat or tension and back, but cannot raise their sum above
-// what it was at the start by more than what was stored then.
+// Internal forces convert kinetic and potential energy to heat or stored energy and back, but cannot raise their sum
+// above its initial value by more than the energy stored then.
 template <int dim>
 template <class Real>
 void Guard<dim>::look_at_energy(const Run<Real>& scene) {
@@ -277,7 +278,7 @@ void Guard<dim>::look_at_energy(const Run<Real>& scene) {
     if (!std::isfinite(settings_.energy))
         return;
     for (std::size_t d = 0; d < dim; ++d)
-        if (set.gravity[d] != 0 && set.periodic_length[d] > 0) // it falls through a period, round and round
+        if (set.gravity[d] != 0 && set.periodic_length[d] > 0) // a fall through the period never ends
             return;
     Balance now{0, 0, 0, scene.particles(), 0, scene.steps(), set.gravity};
     bool driven = start_ && now.gravity != start_->gravity; // shaken or tilted
@@ -293,7 +294,7 @@ void Guard<dim>::look_at_energy(const Run<Real>& scene) {
     if (!start_ || driven)
         excess_ = 0;
     const bool same = start_ && now.particles == start_->particles && now.ever == start_->ever;
-    if (!same || driven) { // what comes and goes brings and takes energy along
+    if (!same || driven) { // particles that come and go bring and take energy
         now.stored = !start_ || driven ? detail::stored_in(engine) : start_->stored;
         start_ = now;
         start_->energy -= excess_;
@@ -318,9 +319,9 @@ void Guard<dim>::look_at_energy(const Run<Real>& scene) {
                        Cause::energy, "", {}, scene.time(), scene.steps());
 }
 
-// What rounding may have put into the potential energy since the first look, J. A position is off by at most half
-// its last bit in every step, and all of them the same way where a step moves them by less than that; and particles
-// that were sorted are added up in another order.
+// An upper bound of the potential energy from rounding since the first look, J. In every step a position is off by at
+// most half its last bit, in the same direction for all if a step moves them by less than that; and sorted particles
+// are added up in another order.
 template <int dim>
 template <class Real>
 double Guard<dim>::round_off(const Run<Real>& scene) const {
@@ -361,7 +362,7 @@ void Guard<dim>::stop(const Run<Real>& scene, Cause cause, const Phase<Real>& ph
     for (int d = 0; d < dim; ++d)
         where.push_back(static_cast<double>(phase.column(phase.row->position + d)[i]) +
                         scene.settings().origin[static_cast<std::size_t>(d)]);
-    // Before the first step what is found there says why.
+    // Before the first step the message of the finding gives the reason already.
     const bool is_said = scene.steps() == 0 && (cause == Cause::left_domain || cause == Cause::inside_wall);
     const std::string reason = is_said ? ""
                                        : "; " + detail::moment_in_words(scene.steps(), scene.time()) +

@@ -1,4 +1,5 @@
-// How long a step a scene bears as it is now, found by disturbing it: for forces and bodies whose limit nobody knows.
+// The longest stable step of a scene in its present state, found by disturbing it: for forces and bodies without a
+// known limit.
 #pragma once
 
 #include <imbibe/geometry/sampling.hpp>
@@ -14,18 +15,18 @@
 
 namespace imbibe {
 
-/// How `longest_stable_step` looks.
+/// Numbers of `longest_stable_step`.
 struct StableStepSettings {
-    /// The step is found to this share of itself.
+    /// Relative tolerance of the step.
     double tolerance = 0.03;
-    /// For how many steps a disturbance is followed, for each length that is tried.
+    /// Number of steps for which a disturbance is followed, for each step length tried.
     int steps = 100;
-    /// A step is too long if a disturbance comes to grow in each by more than this factor and what it grows in the same
-    /// time with short steps: a heavy fluid sinks into a light one, particles in tension draw together, whatever the
-    /// step.
+    /// A step is too long if a disturbance grows in each step by more than this factor beyond its growth in the same
+    /// time with short steps. That growth does not depend on the step: a heavy fluid sinks into a light one, particles
+    /// in tension draw together.
     double growth = 1.05;
-    /// How large disturbances are, in spacings: small, so that all is linear, and large beside the rounding of
-    /// coordinates. 0: 1e-6 in double, 1e-3 in float.
+    /// Size of the disturbances, in spacings: small, so that everything is linear, but large compared with the rounding
+    /// of coordinates. 0: 1e-6 in double, 1e-3 in float.
     double size = 0;
 
     /// Throws Error for a number out of range.
@@ -42,8 +43,8 @@ struct StableStepSettings {
 
 namespace detail {
 
-/// Three copies of a scene, of which one stays as it was, one takes an undisturbed step and one a disturbed one. What
-/// the steps make of the difference is the next disturbance: power iteration with the step's own derivative.
+/// Three copies of a scene: one stays unchanged, one takes an undisturbed step and one a disturbed step. The difference
+/// after the step is the next disturbance: power iteration with the step's own derivative.
 template <class Scene>
 class DisturbedScene {
 public:
@@ -54,14 +55,14 @@ public:
                 spacing_ = std::min(spacing_, s.numbers().spacing);
     }
 
-    /// The shortest limit that is known, or the longest step that the settings allow, s.
+    /// The shortest known limit, or the longest step that the settings allow, s.
     double first_step() const {
         const auto limits = start_.time_step_limits();
         return limits.empty() ? start_.settings().max_time_step : limits.front().seconds;
     }
-    /// The logarithm of the factor by which a disturbance comes to grow in a step of `dt`, s: the mean over the later
-    /// half of so many `steps`, less what a velocity that stays as it is makes ways grow meanwhile. Infinite where
-    /// there is no telling.
+    /// The logarithm of the growth factor of a disturbance in a step of `dt`, s: the mean over the later half of
+    /// `steps` steps, less the growth of displacements by a constant velocity in that time. Infinite if it cannot be
+    /// determined.
     double growth(double dt, int steps) {
         constexpr double beyond_doubt = 50, infinity = std::numeric_limits<double>::infinity();
         undisturbed_ = start_;
@@ -73,7 +74,7 @@ public:
                 disturbed_ = start_;
                 disturb();
                 disturbed_.step(dt);
-                const double by = std::log(compare(dt)); // -infinity where nothing is left of it
+                const double by = std::log(compare(dt)); // -infinity if the disturbance vanishes
                 if (!(by < beyond_doubt))
                     return infinity;
                 if (by < -beyond_doubt)
@@ -93,7 +94,7 @@ private:
     Scene start_, undisturbed_ = start_, disturbed_ = start_;
     double size_; // in spacings
     double spacing_ = std::numeric_limits<double>::infinity();
-    // By phase: what is added to each of its numbers, columns one after the other, in the order of `start_`.
+    // By phase: the disturbance of each of its numbers, column after column, in the order of `start_`.
     std::array<std::vector<double>, Scene::Phases::size> disturbance_;
 
     // All velocities at random.
@@ -120,7 +121,7 @@ private:
         };
         [&]<class... P>(TypeList<P...>) { (disturb_phase(std::type_identity<P>{}), ...); }(typename Scene::Phases{});
     }
-    // The difference of the two scenes becomes the disturbance, as large as it was: the factor by which it has grown.
+    // The difference of the two scenes becomes the disturbance, rescaled to its former size; returns its growth factor.
     double compare(double dt) {
         double greatest = 0;
         for (std::size_t k = 0; k < disturbance_.size(); ++k)
@@ -132,7 +133,7 @@ private:
                 number /= grown;
         return grown;
     }
-    // The greatest way, or velocity times dt, by which a particle of a phase differs, m.
+    // The greatest difference of a particle's position, or of its velocity times dt, in a phase, m.
     double subtract(std::size_t phase, double dt) {
         const Phase &start = start_.engine().phases[phase], &a = undisturbed_.engine().phases[phase],
                     &b = disturbed_.engine().phases[phase];
@@ -143,7 +144,7 @@ private:
             const int axis = k - start.row->position;
             const bool is_place = axis >= 0 && axis < Scene::dimension;
             const double period = is_place ? start_.settings().periodic_length[static_cast<std::size_t>(axis)] : 0.0;
-            double unit = is_place ? 1 : 0; // what makes it a way
+            double unit = is_place ? 1 : 0; // converts it to a displacement
             if (const int d = k - start.row->velocity; start.row->moves && d >= 0 && d < Scene::dimension)
                 unit = dt;
             for (const std::uint32_t id : start.ids) {
@@ -157,7 +158,7 @@ private:
         }
         return greatest;
     }
-    // places_by_id(s)[id]: where the particle with that number lies.
+    // places_by_id(s)[id]: the index of the particle with that number.
     static std::vector<int> places_by_id(const Phase& s) {
         std::vector<int> place(*std::max_element(s.ids.begin(), s.ids.end()) + std::size_t{1});
         for (std::size_t i = 0; i < s.ids.size(); ++i)
@@ -168,28 +169,28 @@ private:
 
 } // namespace detail
 
-/// The longest step, s, that a scene bears as it is now: `longest_stable_step(scene)`. With longer ones small
-/// disturbances grow. It needs no limit of any term, knows how particles lie and what adds up, and takes the integrator
-/// as it is; so it is for forces between particles that a program brings along without a limit, for bodies that are
-/// thin in places, and to see how far `scene.time_step_limits().front()` is from the truth.
+/// The longest stable step, s, of a scene in its present state: `longest_stable_step(scene)`. With longer steps small
+/// disturbances grow. It uses no limit of any term; it includes the positions of the particles, the sum of all terms
+/// and the integrator. Use it for a program's own forces without a limit, for bodies with thin parts, and to check how
+/// far `scene.time_step_limits().front()` is from the true limit.
 ///
-/// Copies of the scene take steps of the same length from the same state over and over, with and without a disturbance
-/// of all particles, and the difference they make is the next disturbance: power iteration with the derivative of the
-/// whole step, a hundred times, which is enough for the shortest waves. From the shortest limit on the length is halved
-/// until disturbances hardly grow, which gives the rate at which they grow whatever the step; then doubled until they
-/// grow faster than that, and bisected. All of it takes as long as about a thousand steps, and the memory of four
-/// scenes; `scene` itself stays as it is.
+/// Copies of the scene take steps of the same length from the same state, with and without a disturbance of all
+/// particles, and the difference is the next disturbance: power iteration with the derivative of the whole step, a
+/// hundred times, which is enough for the shortest waves. Starting from the shortest limit, the length is halved until
+/// disturbances hardly grow, which gives the growth rate that does not depend on the step; then doubled until they grow
+/// faster than that, and bisected. It takes as long as about a thousand steps, and the memory of four scenes; `scene`
+/// itself does not change.
 ///
-/// It is a statement about this state: where particles come nearer to each other later, forces are stiffer, and what is
-/// unstable for as long as a single pair is that near need not be in a flow. It sees nothing that is not small, as an
-/// impact, and in a scene at rest no dissipation that begins with speed. Against steps that were bisected it is right
-/// to a tenth, and up to 1.9 times too short where a force depends on whether a pair approaches, and with corrected
-/// gradients at free surfaces (docs/stability.md, "Limits").
+/// The result holds for this state: where particles come closer later, forces are stiffer; and an instability of a
+/// single close pair may pass in a flow. It sees only small disturbances, so no impact, and in a scene at rest no
+/// dissipation that begins with speed. Compared with bisected steps it is right to a tenth, and up to 1.9 times too
+/// short where a force depends on whether a pair approaches, and with corrected gradients at free surfaces
+/// (docs/stability_tables.md, "Limits").
 ///
 /// Source: power iteration, von Mises and Pollaczek-Geiringer (1929); here with differences for a derivative.
 ///
-/// @param scene the scene, @param settings how it looks
-/// @return the step, s; 64 times the shortest limit (or Settings::max_time_step where none is known) if that is borne
+/// @param scene the scene, @param settings its numbers
+/// @return the step, s; 64 times the shortest limit (or Settings::max_time_step if none is known) if that is stable
 /// @throws Error where disturbances grow in every step however short, for settings out of range, and what
 /// `scene.prepare()` throws
 template <class Scene>

@@ -1,4 +1,4 @@
-// How wide the narrowest pore, slot or gap of a body is, by its particles as they lie now.
+// The width of the narrowest pore, slot or gap of a body, by the present positions of its particles.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -13,7 +13,7 @@
 
 namespace imbibe {
 
-/// A place where a body's surface looks at itself.
+/// A place where a body's surface faces itself.
 template <int dim>
 struct Passage {
     double width;                         ///< m, between faces half a spacing outside their particles
@@ -22,29 +22,30 @@ struct Passage {
 
 namespace detail {
 
-/// How far around a particle of the surface its normal is summed up, in spacings.
+/// The support over which the normal of a surface particle is summed, in spacings.
 inline constexpr double normal_support = 2.2;
 
-/// How far is looked for passages up to `widest`, m: the least that a period may be.
+/// The search distance for passages up to `widest`, m: a period must be at least as long.
 inline double reach_of_passages(double spacing, double widest) {
     return std::max(widest + spacing, normal_support * spacing);
 }
 
 } // namespace detail
 
-/// The narrowest passage among the particles of a body, if there is one narrower than asked for.
+/// The narrowest passage among the particles of a body, if one is narrower than `widest`.
 ///
-/// At a particle a of the surface a passage is as wide as the ball that touches it there and touches a second particle
-/// b across, 2R = |x_b - x_a|^2/(n_a . (x_b - x_a)), less one spacing (Ma, Bae and Choi 2012, The Visual Computer 28,
-/// 7-19: the ball of the medial axis). The normal n_a is the direction of the sum of (x_a - x_b)(1 - r/H)^2 over
-/// particles nearer than H = 2.2 spacings. Both a and b have to look at each other within 30 degrees, so that edges and
-/// corners of a hollow are no passages. Right within a spacing of the body where a lattice draws a round pore.
+/// At a particle a of the surface, the width of a passage is the diameter of the ball that touches the surface there
+/// and at a second particle b across, 2R = |x_b - x_a|^2/(n_a . (x_b - x_a)), less one spacing (Ma, Bae and Choi 2012,
+/// The Visual Computer 28, 7-19: the ball of the medial axis). The normal n_a is the direction of the sum of (x_a -
+/// x_b)(1 - r/H)^2 over particles nearer than H = 2.2 spacings. Both a and b must face each other within 30 degrees, so
+/// that edges and corners of a hollow are no passages. Accurate to a spacing of the body where a lattice forms a round
+/// pore.
 ///
 /// Not for single layers of particles, which have no normal, nor for faces nearer than 0.4 spacings, which have lost
-/// theirs: neither is found. Not for particles that lie off their lattice by more than a tenth of a spacing: what is
-/// inside then looks like a surface here and there, and pores are found that are none.
+/// theirs: neither is found. Not for particles that lie off their lattice by more than a tenth of a spacing: inner
+/// particles may then look like a surface, and give false pores.
 ///
-/// Costs two searches, one of them of the particles at the surface only.
+/// Costs two searches, one of them over surface particles only.
 /// @param x positions, n rows and dim columns, m; views of a scene's positions fit
 /// @param spacing between the particles, m
 /// @param widest wider passages are not looked for, m
@@ -61,8 +62,8 @@ std::optional<Passage<dim>> narrowest_passage(const typename search::NeighbourSe
     require(widest > 0 && std::isfinite(widest), "narrowest_passage: widest = ", widest,
             " m; it must be a finite number above 0 m, usually that of 1 to 4 particles");
     using Vector = Eigen::Matrix<double, dim, 1>;
-    // Shares of what a particle would have whose neighbours were all in one direction. On a lattice 0.30 (3D) and 0.44
-    // (2D) at a face, below 0.01 in the layer under it.
+    // Relative to a particle whose neighbours are all in one direction. On a lattice 0.30 (3D) and 0.44 (2D) at a face,
+    // below 0.01 in the layer under it.
     constexpr double at_surface = 0.12, facing = 0.866;
 
     const double support = detail::normal_support * spacing;

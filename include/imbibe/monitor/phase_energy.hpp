@@ -1,4 +1,4 @@
-// Kinetic and potential energy of a phase, whatever its terms: sums over its columns, by threads and in a fixed order.
+// Kinetic and potential energy of a phase with any terms: sums over its columns, by threads and in a fixed order.
 #pragma once
 
 #include <imbibe/solver/phase_store.hpp>

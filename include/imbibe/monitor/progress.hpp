@@ -1,4 +1,4 @@
-// The live line of a run: how far, how fast, what limits the step, how long still.
+// The live line of a run: progress, pace, what limits the step, time left.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -39,8 +39,8 @@ public:
     void operator()(const Scene& scene) {
         note({scene.time(), scene.steps(), scene.particles(), scene.last_step()});
     }
-    /// What it prints: share, time, step, length of the step and what limits it, pace, wall time left. The step is the
-    /// last one that was not cut off by the end of the run, if there was one: how short that is says nothing.
+    /// The text it prints: share, time, step, length of the step and what limits it, pace, wall time left. The step is
+    /// the last one that the end of the run did not cut off, if there was one: a cut-off step says nothing.
     template <class Scene>
     std::string line(const Scene& scene) const {
         return line_of({scene.time(), scene.steps(), scene.particles(), scene.last_step()});
@@ -68,8 +68,7 @@ private:
 };
 
 /// An observer that calls `what(scene)` at the first step at or after every multiple of `interval`, s, also where a run
-/// goes on from a checkpoint and where time has gone back to one: at the steps at which it would have been called had
-/// nothing happened.
+/// continues from a checkpoint or time has gone back to one: at the same steps as in an uninterrupted run.
 template <class F>
 class Every {
 public:
@@ -92,7 +91,7 @@ public:
         what_(scene);
         take_for_done(scene.time());
     }
-    /// Takes everything up to `time`, s, for done, the step there included, whether it was or not.
+    /// Takes everything up to and including `time`, s, for done, whether it was or not.
     void resume(double time) {
         take_for_done(time);
         seen_ = time;
@@ -102,7 +101,7 @@ private:
     void take_for_done(double time) {
         const double until = time * (1 + 1e-9);
         next_ = std::max(next_, std::floor(until / interval_));
-        for (int k = 0; k < 2 && next_ * interval_ <= until; ++k) // the quotient may have been rounded down
+        for (int k = 0; k < 2 && next_ * interval_ <= until; ++k) // the quotient may be rounded down
             ++next_;
     }
 

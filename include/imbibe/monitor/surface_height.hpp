@@ -1,4 +1,4 @@
-// How high the surface of a fluid stands above a place: a wave gauge.
+// The height of a fluid's surface at a place: a wave gauge.
 #pragma once
 
 #include <imbibe/kernels/wendland.hpp>
@@ -11,30 +11,31 @@
 
 namespace imbibe {
 
-/// How high the surface of a fluid stands at a place, m: `surface_height(scene, water, {0.8, 0})`. Up is against gravity,
-/// so that it is y at the surface where gravity points along -y; what `place` says of that direction does not matter.
+/// The height of a fluid's surface at a place, m: `surface_height(scene, water, {0.8, 0})`. Up is against gravity, so
+/// the result is y at the surface if gravity points along -y. The component of `place` along that direction does not
+/// matter.
 ///
-/// On the line through `place` the volumes of the particles make up a share of space,
+/// Along the line through `place` the particles fill a share of space,
 ///
 ///     s = sum_b (m_b/rho_b) W_b,
 ///
-/// with Wendland's C2, which is near 1 within the fluid, 1/2 at a level surface, and half of both at a wall that the line
-/// runs along. The surface is the highest point where s is half of its greatest value on the line, or 1/2 if that is above
-/// 1; between points a quarter of a spacing apart s is taken as linear. A level surface is met to a fiftieth of a spacing
-/// while the particles lie on a lattice.
+/// with Wendland's C2. s is near 1 within the fluid, 1/2 at a level surface, and half of both along a wall. The surface
+/// is the highest point where s is half of its greatest value on the line, or 1/2 if that value is above 1; s is linear
+/// between points a quarter of a spacing apart. For particles on a lattice a level surface is right to a fiftieth of a
+/// spacing.
 ///
-/// Where waves break, it is the highest of the surfaces; drops that fly over the fluid do not count where s stays below
-/// half of that within it. Where s is nowhere above a fifth there is no fluid, only drops. It looks at every particle of
-/// the phase: for some gauges in every tenth step.
+/// Where waves break, the result is the highest surface; drops above the fluid do not count if s stays below half of
+/// that within it. If s is nowhere above a fifth there is no fluid, only drops. It reads every particle of the phase:
+/// use it for a few gauges in every tenth step.
 ///
 /// @param scene the scene, with gravity, @param which the phase, as `scene.add` returned it
 /// @param place a point of the line, m
-/// @param support how far to look, m; 0: the support radius of the phase, but at least 3 spacings
-/// @param dry what it is where there is no fluid; not a number, unless told otherwise
+/// @param support the kernel's support, m; 0: the support radius of the phase, but at least 3 spacings
+/// @param dry the result without fluid; NaN by default
 /// @throws Error for a support that is negative or not finite, without gravity, and where the scene is periodic upwards
 ///
-/// Source: the threshold of half a mass is that of the gauges of DualSPHysics (Crespo et al. 2015); its being that of the
-/// line, for gauges at walls, is ours.
+/// Source: the threshold of half a mass is that of the gauges of DualSPHysics (Crespo et al. 2015); taking it from the
+/// line, for gauges at walls, is own.
 template <class Scene, class P>
 double surface_height(const Scene& scene, PhaseHandle<P> which, const Point<Scene::dimension>& place,
                       double support = 0, double dry = std::numeric_limits<double>::quiet_NaN()) {
@@ -55,7 +56,7 @@ double surface_height(const Scene& scene, PhaseHandle<P> which, const Point<Scen
     const double H = support > 0 ? support : std::max<double>(phase.material().support_radius, 3 * spacing);
 
     struct Near {
-        double above, aside2, volume; // m over `place`, the square of m beside the line, m^dim
+        double above, aside2, volume; // m over `place`, squared m beside the line, m^dim
     };
     std::vector<Near> around;
     const auto x = phase[position];

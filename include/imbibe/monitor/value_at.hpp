@@ -1,4 +1,4 @@
-// What a field is at a place: a gauge of pressure, a profile of velocities.
+// The value of a field at a place: a gauge of pressure, a profile of velocities.
 #pragma once
 
 #include <imbibe/core/vector.hpp>
@@ -14,7 +14,7 @@
 namespace imbibe {
 
 namespace detail {
-// From a place to a particle's position as the phase stores it, m: to the nearest one of its images.
+// The offset from a place to a particle's stored position, m: to its nearest image.
 template <class Scene, class Position>
 Point<Scene::dimension> offset_from(const Point<Scene::dimension>& place, const Position& stored, const Scene& scene) {
     const Settings<Scene::dimension>& settings = scene.settings();
@@ -36,23 +36,23 @@ Point<Scene::dimension> offset_from(const Point<Scene::dimension>& place, const 
 ///
 ///     f = mean f + g . (place - mean x),  g = (sum_b w_b y_b y_b)^-1 sum_b w_b y_b f_b,  y_b = x_b - mean x,
 ///
-/// with means weighted by w_b. So it is exact for fields that are linear in space, also on one side of all particles:
-/// at a wall it gives the pressure of the wall's surface, not that of the first row of water. It goes beyond the values
-/// around it by at most what these differ by; and where the particles lie on a line or there are too few for a slope,
-/// it is the mean (Shepard 1968).
+/// with means weighted by w_b. It is exact for fields that are linear in space, also if all particles are on one side:
+/// at a wall it gives the pressure at the wall's surface, not that of the first row of water. It exceeds the values
+/// around it by at most their range. Where the particles lie on a line, or are too few for a slope, it is the mean
+/// (Shepard 1968).
 ///
-/// Not for the pressure on a wall that is struck. It is the pressure within the water that is near, also where that is
-/// a drop or a tongue thinner than the support, which bears on little of the wall, and in the first blow that is many
-/// times what the wall bears. There, `patch_pressure` or a `WallGauge` (monitor/wall_gauge.hpp): the force on a patch
-/// of the wall over its area.
+/// Not for the pressure on a wall in an impact. It is the pressure within the water nearby, also if that is a drop or a
+/// tongue thinner than the support, which loads little of the wall; in the first blow it is many times the wall's load.
+/// There use `patch_pressure` or a `WallGauge` (monitor/wall_gauge.hpp): the force on a patch of the wall over its
+/// area.
 ///
-/// It looks at every particle of the phase: for some gauges in every tenth step, not for pictures. What a step
-/// computes, as the pressure, is 0 before the first one.
+/// It reads every particle of the phase: use it for a few gauges in every tenth step, not for pictures. Fields that a
+/// step computes, such as the pressure, are 0 before the first step.
 ///
 /// @param scene the scene, @param which the phase, as `scene.add` returned it, @param field the field
 /// @param place where, m
-/// @param support how far to look, m; 0: the support radius of the phase
-/// @param dry what it is where no particle is near; not a number, unless told otherwise
+/// @param support the kernel's support, m; 0: the support radius of the phase
+/// @param dry the result if no particle is near; NaN by default
 /// @return a number for a field of numbers, else an Eigen column of its components
 /// @throws Error for a support that is negative or not finite
 ///

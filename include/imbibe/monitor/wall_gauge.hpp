@@ -1,4 +1,4 @@
-// The pressure on a patch of wall, as a sensor in it feels it: force over area.
+// The pressure on a patch of wall, as a sensor measures it: force over area.
 #pragma once
 
 #include <imbibe/geometry/tank.hpp>
@@ -14,19 +14,18 @@
 
 namespace imbibe {
 
-/// A patch of the surface of a wall: a rectangle across one axis, in 2D a stretch of line.
-/// `WallPatch<2>{{1.6, 0}, {1.6, 0.05}, Sides::x_high}` is the lowest 50 mm of the wall at the end of a tank 1.6 m
-/// long.
+/// A patch of the surface of a wall: a rectangle normal to an axis, in 2D a line segment. `WallPatch<2>{{1.6, 0}, {1.6,
+/// 0.05}, Sides::x_high}` is the lowest 50 mm of the end wall of a tank 1.6 m long.
 template <int dim>
 struct WallPatch {
-    /// Two corners of the rectangle, m: the smaller coordinates and the greater ones. Along the axis across the wall
-    /// both have that of its surface, which is half a spacing before its first particles.
+    /// Two corners of the rectangle, m: the lesser coordinates and the greater ones. Along the axis normal to the wall
+    /// both are at its surface, half a spacing before its first particles.
     Point<dim> lower, upper;
-    /// On which side of the water the wall is, one of them, as tank() calls it: the wall `Sides::x_high` is where x is
-    /// greater than at its surface.
+    /// The side of the water on which the wall is, one only, named as for tank(): the wall `Sides::x_high` is where x
+    /// is greater than at its surface.
     Sides side;
 
-    /// The axis across the wall: 0 for x.
+    /// The axis normal to the wall: 0 for x.
     int axis() const {
         int axis = 0;
         while (axis < dim - 1 && !includes(side, axis, 0) && !includes(side, axis, 1))
@@ -41,9 +40,9 @@ struct WallPatch {
                 product *= upper[d] - lower[d];
         return product;
     }
-    /// Throws Error unless it is a rectangle across the axis of its side. @param where what the message begins with
+    /// Throws Error unless it is a rectangle normal to the axis of its side. @param where what the message begins with
     void check(std::string_view where) const {
-        bool one = false; // one side, which a box in so many dimensions has
+        bool one = false; // exactly one side, which exists in this dimension
         for (int d = 0; d < dim; ++d)
             for (int end = 0; end < 2; ++end)
                 one = one || static_cast<unsigned>(side) == 1u << (2 * d + end);
@@ -64,22 +63,21 @@ struct WallPatch {
 ///
 ///     p = sum_a w_a n.F_a / A,  F_a = `reaction_force` of particle a, n into the wall,
 ///
-/// over the particles at most a support behind the plane of the patch. w_a is that share of the particle's own square,
-/// a spacing wide, which the patch covers: so the patch need not fit the particles, and patches side by side have the
-/// pressures whose forces add up to that on the wall, to the last of it. Where the wall meets another one, as at the
-/// foot of a tank, the water pushes also on what lies beyond the edge, behind both walls: that is counted as if it were
-/// mirrored at the edge, where it is missing.
+/// over the particles at most a support behind the plane of the patch. w_a is the share of the particle's own square, a
+/// spacing wide, that the patch covers: so the patch need not fit the particles, and the forces of adjacent patches add
+/// up exactly to that on the wall. Where the wall meets another one, as at the foot of a tank, the water also pushes on
+/// particles beyond the edge, behind both walls: their force is mirrored at the edge and counted.
 ///
-/// It is what a pressure sensor measures, which is also a patch, and in an impact it is the pressure to go by. Water
-/// that is thinner than the support shows its own pressure all around (`value_at`, PressureExtrapolation), but pushes
-/// on little of the wall; only the force knows.
+/// It is what a pressure sensor of that area measures, and the pressure to use in an impact. Water thinner than the
+/// support shows its own pressure all around (`value_at`, PressureExtrapolation), but pushes on little of the wall;
+/// only the force shows that.
 ///
-/// The coupling lists ReactionForce of what pushes: `Into<Tank, ReactionForce<VolumePressure<K>>>`. The force is as it
-/// was where the last step began, and 0 before the first one. A support is about how sharp it sees: patches narrower
-/// than that are no sharper. For a sensor's response in time see WallGauge. It looks at every particle of the wall.
+/// The coupling must list ReactionForce of the terms that push: `Into<Tank, ReactionForce<VolumePressure<K>>>`. The
+/// force is that at the begin of the last step, and 0 before the first one. The spatial resolution is about a support:
+/// narrower patches are no sharper. For a sensor's response in time see WallGauge. It reads every particle of the wall.
 ///
-/// Only for walls across an axis, and not for a sheet thinner than a support that is wet on both sides, where it is the
-/// difference of the two.
+/// Only for walls normal to an axis. Not for a sheet thinner than a support that is wet on both sides: there it is the
+/// difference of the two pressures.
 ///
 /// @param scene the scene, @param patch where
 /// @param walls the phases that the wall is made of, as `scene.add` returned them: the wall and, where it stands on
@@ -98,8 +96,7 @@ double patch_pressure(const Scene& scene, const WallPatch<Scene::dimension>& pat
     const double outwards = includes(patch.side, across, 1) ? 1 : -1; // along the axis, into the wall
     const Point<dim> middle = 0.5 * (patch.lower + patch.upper), half = 0.5 * (patch.upper - patch.lower);
 
-    // What lies less than a support from the plane of the patch, and beside it by no more than what may be mirrored
-    // into it.
+    // Particles less than a support from the plane of the patch, and beside it by at most the distance of mirroring.
     struct Near {
         Point<dim> offset;             // from the middle of the patch, m
         double behind, spacing, force; // m and m; N along the normal
@@ -118,7 +115,7 @@ double patch_pressure(const Scene& scene, const WallPatch<Scene::dimension>& pat
     };
     (collect(scene[walls]), ...);
 
-    // Where other walls begin, from the middle, m: those whose particles lie before the patch's plane, next to it.
+    // Where other walls begin, from the middle, m: those with particles before the patch's plane, next to it.
     Point<dim> least = Point<dim>::Constant(-infinity), greatest = Point<dim>::Constant(infinity);
     for (const Near& a : around) {
         const double before = -a.behind;
@@ -184,12 +181,12 @@ double patch_pressure(const Scene& scene, const WallPatch<Scene::dimension>& pat
 ///     WallGauge<2> gauge({{1.6, 0}, {1.6, 0.05}, Sides::x_high}, 1e-3);
 ///     scene.run_until(1, [&](const Scene& now) { table.row({now.time(), gauge(now, tank)}); });
 ///
-/// It is to be called after every step; each step counts with its length, so that the impulse of a blow is kept
-/// whatever the window. That is the response of a sensor that integrates: it follows what is slower than the window,
-/// and shows sound, and blows of length t < window lower by t/window. Weakly compressible water rings with the sound
-/// speed of the scene, not with that of water, and the shorter the window the more of the reading is that ringing:
-/// sound runs up and down a depth h in 4 h/c, and a window of a few times that leaves the flow. A record that was
-/// sampled at a rate f is comparable with a window of 1/f at the least.
+/// Call it after every step; each step counts with its length, so the impulse of a blow is right for any window. That
+/// is the response of an integrating sensor: it follows changes slower than the window, shows no faster sound, and
+/// shows blows of length t < window lower by t/window. Weakly compressible water rings with the sound speed of the
+/// scene, not with that of water, and the shorter the window, the more of the reading is that ringing: sound runs up
+/// and down a depth h in 4 h/c, and a window of a few times that leaves the flow. A record sampled at a rate f is
+/// comparable with a window of at least 1/f.
 template <int dim>
 class WallGauge {
 public:
@@ -201,8 +198,8 @@ public:
                 " s; it must be finite and at least 0 s, which is the last step alone");
     }
 
-    /// Takes the last step in, and says what the gauge shows, Pa. In a run shorter than the window it is the mean from
-    /// the first call on. A scene that went back in time begins anew.
+    /// Adds the last step and returns the gauge's value, Pa. In a run shorter than the window it is the mean from the
+    /// first call on. It starts anew if the scene has gone back in time.
     template <class Scene, class... Wall>
     double operator()(const Scene& scene, PhaseHandle<Wall>... walls) {
         const double now = scene.time(), pressure = patch_pressure(scene, patch_, walls...);
@@ -216,7 +213,7 @@ public:
             past_.pop_front();
         if (window_ == 0 || past_.size() == 1)
             return shown_ = pressure;
-        // The window begins within the first one of the steps that are left, or before it.
+        // The window begins within the first of the remaining steps, or before it.
         const Sum &first = past_[0], &second = past_[1];
         const double begin = std::max(now - window_, first.time);
         const double before =
@@ -224,7 +221,7 @@ public:
         return shown_ = (past_.back().impulse - before) / (now - begin);
     }
 
-    /// What it showed when it was last asked, Pa.
+    /// The value of the last call, Pa.
     double pressure() const { return shown_; }
     /// Where it is.
     const WallPatch<dim>& patch() const { return patch_; }

@@ -1,4 +1,4 @@
-// Checkpoints: the whole state of a running scene in one file, from which a run goes on to the same last bit.
+// Checkpoints: the complete state of a running scene in one file, from which a run continues bit by bit.
 //
 //   imbibe::write_checkpoint(scene, "out/checkpoint");            // now and then, or by `imbibe::Checkpoints`
 //   imbibe::read_checkpoint(scene, "out/checkpoint");             // in a scene that was built as before
@@ -20,7 +20,7 @@
 
 namespace imbibe {
 
-/// Numbers of the program itself that a checkpoint carries along: how many rows a table has, what was drained.
+/// A program's own numbers that a checkpoint carries along: the number of rows of a table, the drained mass.
 using CheckpointNotes = std::map<std::string, double>;
 
 namespace detail {
@@ -54,7 +54,7 @@ struct CheckpointWriter {
     }
 };
 
-/// Gives back in the same order.
+/// Returns the same data in the same order.
 struct CheckpointReader {
     static constexpr bool reading = true;
     std::string_view bytes;
@@ -78,7 +78,7 @@ struct CheckpointReader {
         std::memcpy(values, bytes.data(), count * sizeof(T));
         bytes.remove_prefix(count * sizeof(T));
     }
-    /// Leaves out what array() would give.
+    /// Skips what array() would read.
     void skip(std::uint64_t count, std::uint64_t size_of_each) {
         need(count, size_of_each);
         bytes.remove_prefix(count * size_of_each);
@@ -89,7 +89,7 @@ struct CheckpointReader {
     }
 };
 
-/// What must be the same in the scene that wrote a checkpoint and in the one that reads it, as lines of text.
+/// What must agree between the scene that wrote a checkpoint and the one that reads it, as lines of text.
 template <class Scene>
 std::string checkpoint_head(const Scene& scene) {
     std::ostringstream out;
@@ -120,7 +120,7 @@ std::string checkpoint_head(const Scene& scene) {
     return out.str();
 }
 
-/// The numbers that a scene reading a checkpoint may have others of, as lines of text: those of materials and of
+/// The numbers that may differ in the scene that reads a checkpoint, as lines of text: those of materials and
 /// couplings.
 template <class Scene>
 std::string checkpoint_numbers(const Scene& scene) {
@@ -138,7 +138,7 @@ std::string checkpoint_numbers(const Scene& scene) {
     add_couplings(typename Scene::Couplings{});
     return lines;
 }
-/// How these lines differ from those of a checkpoint: a sentence, or an empty one.
+/// A sentence about how these lines differ from those of a checkpoint; empty if they do not.
 inline std::string warning_of_other_numbers(const std::string& theirs, const std::string& ours,
                                             const std::string& path) {
     std::istringstream lines_there(theirs), lines_here(ours);
@@ -153,8 +153,8 @@ inline std::string warning_of_other_numbers(const std::string& theirs, const std
                 "with this scene's: ", differences);
 }
 
-/// Where the particles are that stay where they were added: those of walls, and those of total-Lagrangian solids in
-/// their stress-free places. By phase, and by the number a particle had when it was added.
+/// The positions of particles that stay where they were added: those of walls, and the stress-free positions of
+/// total-Lagrangian solids. By phase, and by the number a particle had when it was added.
 inline std::vector<std::vector<Coordinates>> places_that_stay(const OutlineOfScene& scene) {
     std::vector<std::vector<Coordinates>> all;
     for (const Outline& phase : scene.phases) {
@@ -169,8 +169,8 @@ inline std::vector<std::vector<Coordinates>> places_that_stay(const OutlineOfSce
     }
     return all;
 }
-/// A sentence if a phase that a scene has is another one in a checkpoint, or an empty one: of another number of
-/// particles, or of another shape. One that a program has moved as a whole is the same.
+/// A sentence if a phase of the scene differs from that in a checkpoint, by number of particles or shape; else empty. A
+/// phase that a program has moved as a whole is the same.
 inline std::string warning_of_other_body(const std::string& name, const std::vector<Coordinates>& here,
                                          const std::vector<Coordinates>& there, double spacing,
                                          const std::string& path) {
@@ -180,7 +180,7 @@ inline std::string warning_of_other_body(const std::string& name, const std::vec
     if (here.size() != there.size())
         return text("checkpoint ", path, ": ", name, " has ", there.size(), " particles there and ", here.size(),
                     " in this scene", goes_on);
-    double farthest = 0; // along an axis, beside what all have moved by
+    double farthest = 0; // along an axis, beyond the common displacement
     for (std::size_t d = 0; d < 3; ++d) {
         double moved = 0;
         for (std::size_t i = 0; i < here.size(); ++i)
@@ -194,7 +194,7 @@ inline std::string warning_of_other_body(const std::string& name, const std::vec
                 " m (", farthest / spacing, " spacings)", goes_on);
 }
 
-/// What a long line says around the place where it parts from another: "terms of Water: ... Diffusion<WendlandC4> ...".
+/// The text of a long line around its first difference to another: "terms of Water: ... Diffusion<WendlandC4> ...".
 /// @param same how many characters the two have in common at the beginning
 inline std::string around_difference(const std::string& line, std::size_t same) {
     constexpr std::size_t most = 120, before = 60;
@@ -227,10 +227,10 @@ inline std::pair<std::string, std::string> first_difference(const std::string& a
     }
 }
 
-/// The ending of a second name that is being made.
+/// The suffix of a second name while it is being made.
 inline constexpr const char* link_ending = ".link";
 
-/// Refuses a name beside which the checkpoint before could not be kept: file systems take names of 255 bytes.
+/// Refuses a name that leaves no room for the previous checkpoint's: file systems allow names of 255 bytes.
 inline void require_short_name(const std::filesystem::path& path) {
     constexpr std::size_t most = 255 - std::string_view(".previous").size() - std::string_view(link_ending).size();
     const auto name = path.filename().string();
@@ -238,15 +238,15 @@ inline void require_short_name(const std::filesystem::path& path) {
             most, ", so that the one before it can be kept under a longer one. Give it a shorter name");
 }
 
-/// Gives a checkpoint, if there is one, a second name, or a copy where the disk knows no second names. The one that had
-/// the name is there until then. Throws Error, `hence` in it, where that fails: there would be nothing to fall back on.
+/// Gives an existing checkpoint a second name, or makes a copy if the file system has no hard links. The former file of
+/// that name stays until then. Throws Error, `hence` in it, if that fails: there would be nothing to fall back on.
 inline void give_second_name(const std::filesystem::path& checkpoint, const std::filesystem::path& second,
                              const char* hence) {
     std::error_code error;
     if (!std::filesystem::exists(checkpoint, error))
         return;
     const std::filesystem::path fresh = second.string() + link_ending;
-    std::filesystem::remove(fresh, error); // of a program that was killed here
+    std::filesystem::remove(fresh, error); // left by a program that was killed here
     std::filesystem::create_hard_link(checkpoint, fresh, error);
     if (error) {
         error.clear();
@@ -261,10 +261,10 @@ inline void give_second_name(const std::filesystem::path& checkpoint, const std:
                          error.message(), "; it stays, and ", hence, ". Free space there, or move away what has ",
                          "that name, then continue the run"));
     }
-    std::filesystem::remove(fresh, error); // is there still where both names were of one file already
+    std::filesystem::remove(fresh, error); // is still there if both names were of one file already
 }
 
-/// A whole checkpoint, from its title to its checksum.
+/// A complete checkpoint, from its title to its checksum.
 template <class Scene>
 std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
     CheckpointWriter state;
@@ -282,10 +282,10 @@ std::string checkpoint_bytes(Scene& scene, const CheckpointNotes& notes = {}) {
 
 } // namespace detail
 
-/// Makes `<path>.previous` the checkpoint at `path`, too. For a run that goes on from the one before, when it has read
-/// it and before it drops what its tables and snapshots have of later times: the later checkpoint does not fit them
-/// then, and a run that is killed before its next one would be left with that. Nothing is done where there is none
-/// before.
+/// Makes the checkpoint at `path` `<path>.previous` as well. For a run that continues from the previous checkpoint:
+/// call it after reading that, and before dropping later data from tables and snapshots. The later checkpoint does not
+/// fit them then, and a run killed before its next checkpoint would be left with it. Does nothing if there is no
+/// previous one.
 /// @param path the file of the later one
 /// @throws Error when the disk refuses it
 inline void return_to_previous_checkpoint(const std::filesystem::path& path) {
@@ -293,21 +293,21 @@ inline void return_to_previous_checkpoint(const std::filesystem::path& path) {
 }
 
 /// Writes the state of a scene to `path`: every field of every particle, their order and numbers, time, step count and
-/// what the next time step depends on. A checkpoint that was there before is kept as `<path>.previous`.
+/// whatever the next time step depends on. An earlier checkpoint is kept as `<path>.previous`.
 ///
-/// The file is written beside its place, forced to the disk and then given its name in one step: whenever the program
-/// ends, there is a whole checkpoint. What was written to the same file system before it, tables and snapshots, is
-/// forced to the disk first, so that after a power cut they are not behind it. It begins with a readable description of
-/// the scene and ends with a checksum.
+/// The file is written beside its place, forced to the disk and then renamed in one step: there is a complete
+/// checkpoint whenever the program ends. Tables and snapshots written to the same file system before it are forced to
+/// the disk first, so that after a power cut they are not older than it. It begins with a readable description of the
+/// scene and ends with a checksum.
 ///
-/// The run that goes on and one that is continued from the file both sort their particles here (views end) and find
-/// neighbours anew at the next step, and stay the same to the last bit. A run that writes none goes the same way only
-/// where that step would have found them anyway (Solver::search_is_due): always, unless Settings::search_interval is
-/// above 1; Checkpoints waits for such a step. With integrators that move particles before they look for neighbours,
-/// PositionVerlet and, with such an interval, Leapfrog, it goes another way in the last digits.
-/// @param scene what is written
+/// The run that goes on and one that is continued from the file both sort their particles here (views become invalid)
+/// and find neighbours anew at the next step, and stay the same to the last bit. A run without checkpoints is the same
+/// only if that step would have found neighbours anyway (Solver::search_is_due): always, unless
+/// Settings::search_interval is above 1; Checkpoints waits for such a step. With integrators that move particles before
+/// they find neighbours, PositionVerlet and, with such an interval, Leapfrog, it differs in the last digits.
+/// @param scene the scene to write
 /// @param path the file
-/// @param notes numbers of the program that go along
+/// @param notes the program's own numbers to store
 /// @throws Error when the disk refuses it, when a coordinate is not a finite number, or for a name of more than 241
 ///     bytes; the earlier checkpoints stay
 template <class Scene>
@@ -358,7 +358,7 @@ CheckpointNotes restore(Scene& scene, const std::string& all, const std::string&
         state(value);
         notes[name] = value;
     }
-    const bool is_new = scene.steps() == 0; // else its own walls may have been moved
+    const bool is_new = scene.steps() == 0; // else the program may have moved its walls
     const auto here = places_that_stay(scene.outline());
     scene.archive(state);
     scene.warn(warning_of_other_numbers(numbers, checkpoint_numbers(scene), path));
@@ -371,13 +371,13 @@ CheckpointNotes restore(Scene& scene, const std::string& all, const std::string&
 
 } // namespace detail
 
-/// Brings a scene to the state in a checkpoint. The scene must be made as it was for the run that wrote it: the same
-/// composition, number type, densities, spacings, supports, origin and periods, with its phases added; how many
-/// particles they have does not matter. Other numbers of materials, coefficients and settings are those of this scene
-/// (a warning says how materials and coefficients differ, and where a wall, or the stress-free places of a solid, are
-/// others than those added to this scene), but by how much steps were shortened (Solver::shorten_steps) is the file's,
-/// beside which a CFL number given anew counts. The run then goes on to the same bits as if it had not stopped.
-/// @return the numbers the program gave along
+/// Brings a scene to the state in a checkpoint. The scene must be made as for the run that wrote it: the same
+/// composition, number type, densities, spacings, supports, origin and periods, with its phases added; their numbers of
+/// particles do not matter. Other numbers of materials, coefficients and settings are those of this scene: a warning
+/// says how materials and coefficients differ, and which walls, or stress-free positions of a solid, differ from those
+/// added to this scene. Only the factor of Solver::shorten_steps is the file's, and it multiplies a newly given CFL
+/// number. The run then continues bit by bit as if it had not stopped.
+/// @return the program's own numbers
 /// @throws Error, with the scene as it was, for a file that is missing, cut off, damaged, or of another scene; it names
 /// the difference
 template <class Scene>
@@ -393,8 +393,8 @@ CheckpointNotes read_checkpoint(Scene& scene, const std::filesystem::path& path)
     return detail::restore(scene, all, path.string());
 }
 
-/// An observer for `run_until` that writes a checkpoint every so many seconds of wall time, or of simulated time, where
-/// Settings::search_interval is above 1 at the next step that searches: so when they are written does not change a bit
+/// An observer for `run_until` that writes a checkpoint at intervals of wall time, or of simulated time. If
+/// Settings::search_interval is above 1, it waits for the next step that searches: so checkpoints do not change a bit
 /// of the run.
 class Checkpoints {
 public:
@@ -423,8 +423,9 @@ public:
     void operator()(Scene& scene) {
         (*this)(scene, [] { return CheckpointNotes{}; });
     }
-    /// The same with the program's own numbers, which `notes()` returns, and with a look at the scene: `look(scene)` is
-    /// called before one is written, to throw where that would be no good one (`Guard::look`). True if one was written.
+    /// The same with the program's own numbers, which `notes()` returns, and with a check of the scene: `look(scene)`
+    /// is called before a checkpoint is written, and throws if the state is bad (`Guard::look`). True if one was
+    /// written.
     template <class Scene, class Notes, class Look>
     bool operator()(Scene& scene, const Notes& notes, const Look& look) {
         const bool now = due(scene);
@@ -437,7 +438,7 @@ public:
             written_at_ = scene.time();
         return now;
     }
-    /// The same without a look.
+    /// The same without a check.
     template <class Scene, class Notes>
     bool operator()(Scene& scene, const Notes& notes) {
         return (*this)(scene, notes, [](const Scene&) {});

@@ -1,4 +1,4 @@
-// Files that are either there as a whole or not at all, and the check before a run that they can be written.
+// Files that are complete or absent, and a check before a run that they can be written.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -23,7 +23,7 @@ namespace imbibe {
 
 namespace detail {
 
-/// Is `a` earlier than `b`, s? Times that differ by a billionth, as rounding lets them, are the same.
+/// Is `a` earlier than `b`, s? Times that differ by a billionth, as by rounding, are the same.
 inline bool earlier(double a, double b) {
     return a < b - 1e-9 * std::abs(b);
 }
@@ -31,9 +31,9 @@ inline bool earlier(double a, double b) {
 } // namespace detail
 
 /// A file that appears under its name only when it is complete. Everything is written to `<path>.tmp` beside it, and
-/// commit() gives that its name in one step; a reader, or a run that is killed half-way, finds the previous file or
-/// the new one, never half of one. Without commit() (an exception, a full disk) the earlier file stays as it was.
-/// commit() guards against the end of the program, commit_to_disk() also against that of the power supply.
+/// commit() renames that in one step; a reader, or a run that is killed half-way, finds the previous file or the new
+/// one, never half of one. Without commit() (an exception, a full disk) the earlier file stays unchanged. commit() is
+/// safe against the end of the program, commit_to_disk() also against a power cut.
 class AtomicFile {
 public:
     /// Opens `<path>.tmp`. Throws Error if that cannot be done.
@@ -50,20 +50,20 @@ public:
     /// Appends `bytes` bytes. Throws Error when they cannot be written.
     void write(const void* data, std::size_t bytes);
 
-    /// The file that a link stands for: the link stays, and what it names is replaced.
+    /// The target of a symbolic link: the link stays, and its target is replaced.
     [[nodiscard]] static std::filesystem::path behind_links(std::filesystem::path path);
-    /// The file that will have its name: where the path is a link, what it stands for.
+    /// The final path of the file; for a link, its target.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Empties the buffers and gives the file its name. Throws Error when the last bytes cannot be written.
+    /// Flushes the buffers and renames the file. Throws Error when the last bytes cannot be written.
     void commit();
-    /// The same, but waits until the bytes are on the disk, with all that was written to its file system before (a
-    /// table or snapshots that this file counts on), and then the name. @param before called between the two
+    /// The same, but waits until the bytes, and everything written to the file system before (tables or snapshots that
+    /// this file depends on), are on the disk, and then the name. @param before called between the two
     template <class F>
     void commit_to_disk(const F& before) {
         out_.close();
         check();
-        force(temporary_, Extent::file_system); // what a disk refused of other files, those who wrote them were told
+        force(temporary_, Extent::file_system); // errors of other files are reported to those who wrote them
         if (!force(temporary_, Extent::itself))
             refuse();
         before();
@@ -84,8 +84,8 @@ private:
     }
 #endif
     enum class Extent { itself, file_system };
-    // Empties the system's buffers of a file or folder, or of all that is on its file system. False where the disk
-    // refuses what is in them; where the system does not offer this, nothing is lost but that guarantee.
+    // Flushes the system's buffers of a file or folder, or of its whole file system. False if the disk refuses the
+    // data; where the system does not offer this, only that guarantee is lost.
     static bool force([[maybe_unused]] const std::filesystem::path& path, [[maybe_unused]] Extent extent) {
 #if __has_include(<unistd.h>)
         const int file = ::open(path.c_str(), O_RDONLY);
@@ -109,9 +109,8 @@ private:
     bool committed_ = false;
 };
 
-/// Creates `folder` (and those above it) if need be and writes a small file there, which it removes again. To be called
-/// before a run, so that hours of work are not lost at the first snapshot. Throws Error naming the folder, the cause
-/// and the remedy.
+/// Creates `folder` (and its parents) if need be, writes a small file there and removes it again. Call it before a run,
+/// so that hours of work are not lost at the first snapshot. Throws Error naming the folder, the cause and the remedy.
 void require_writable(const std::filesystem::path& folder);
 
 } // namespace imbibe

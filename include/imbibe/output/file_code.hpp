@@ -7,7 +7,7 @@ namespace imbibe {
 
 IMBIBE_CODE AtomicFile::AtomicFile(std::filesystem::path path)
     : path_(behind_links(std::move(path))), temporary_(path_.string() + ".tmp") {
-    std::error_code none_there; // what a killed program left under this name may be another name of a good file
+    std::error_code none_there; // a leftover of a killed program under this name may be another name of a good file
     if (!std::filesystem::is_directory(temporary_, none_there))
         std::filesystem::remove(temporary_, none_there);
     out_.open(temporary_, std::ios::binary);

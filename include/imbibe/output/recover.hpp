@@ -1,4 +1,4 @@
-// Runs that go back to the last good state and go on with shorter steps where a guard stops them.
+// Runs that return to the last good state and continue with shorter steps when a guard stops them.
 #pragma once
 
 #include <imbibe/monitor/guard.hpp>
@@ -7,9 +7,8 @@
 
 namespace imbibe {
 
-/// Writes the particles of a scene that went wrong into `folder`, for ParaView, in place of those of another time that
-/// may be there. Returns a sentence about it, to be put behind the message of the error; also where they could not be
-/// written.
+/// Writes the particles of a failed scene into `folder`, for ParaView, and replaces those of an earlier failure there.
+/// Returns a sentence about it, to append to the error message; also if they could not be written.
 template <class Scene>
 std::string keep_offending_state(const Scene& scene, const std::filesystem::path& folder) {
     try {
@@ -22,23 +21,23 @@ std::string keep_offending_state(const Scene& scene, const std::filesystem::path
     }
 }
 
-/// Runs `scene` to `end`, s, under `guard` with a checkpoint every `seconds` of wall time, each looked at by the guard
-/// before it is written; the first as the scene is now, so that one which is bad already is refused at once. Where the
-/// guard, or the solver, stops the run, its particles are written to the folder `<checkpoint>.broken`, for ParaView,
-/// and the scene goes back to the last checkpoint and goes on with steps half as long, at most `retries` times;
-/// `returned(error)` is told so each time, once the scene is back, and where the particles are that went wrong.
-/// Observers see time go back then: `every` calls at once where it goes back to, and snapshots and tables over time
-/// replace what came after. A scene that reads a checkpoint of the rest of the run goes on with the shorter steps, too.
-/// @throws Error (Diverged, where the guard was the one to stop it) when the retries are used up, or there is nothing
-/// good to begin with; at once what an observer throws that is not Diverged, or a disk that takes no more checkpoints:
-/// shorter steps would not help
+/// Runs `scene` to `end`, s, under `guard` with a checkpoint every `seconds` of wall time. The guard checks the scene
+/// before each is written; the first is written at once, so that a bad initial state is refused. When the guard or the
+/// solver stops the run, its particles are written to the folder `<checkpoint>.broken`, for ParaView, and the scene
+/// goes back to the last checkpoint and continues with steps half as long, at most `retries` times. Each time, when the
+/// scene is back, `returned(error)` is called with the cause and where the failed particles were written. Observers see
+/// time go back: `every` calls at once at the time it goes back to, and snapshots and tables over time replace what
+/// came after. A scene that reads a later checkpoint of the run keeps the shorter steps.
+/// @throws Error (Diverged if the guard stopped it) when the retries are used up, or the initial state is bad; at once
+/// for what an observer throws that is not Diverged, or a disk that takes no more checkpoints: shorter steps would not
+/// help
 template <class Scene, int dim, class Returned, class... Observers>
 void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::filesystem::path& checkpoint,
                      double seconds, int retries, const Returned& returned, Observers&&... observers) {
     Checkpoints checkpoints(checkpoint, seconds);
     guard.look(scene);
     write_checkpoint(scene, checkpoint);
-    bool of_observer = false; // is the error that is on its way one of an observer, and not that the scene diverged?
+    bool of_observer = false; // does the error come from an observer, not from a diverged scene?
     const auto watched = [&of_observer](auto& observer) {
         return [&](Scene& s) {
             of_observer = true;
@@ -55,7 +54,7 @@ void run_and_recover(Scene& scene, double end, Guard<dim>& guard, const std::fil
         checkpoints(
             s, [] { return CheckpointNotes{}; }, [&](const Scene& now) { guard.look(now); });
     };
-    // Out of retries: the error goes on, as what it is.
+    // Out of retries: rethrows the error.
     const auto go_back = [&](const auto& error) {
         if (retries-- <= 0)
             throw error;

@@ -1,4 +1,4 @@
-// A run: a scene taken to its end, with all that a long computation keeps on disk, and gone on with where it stopped.
+// A run: takes a scene to its end with all output of a long computation, and continues it where it stopped.
 #pragma once
 
 #include <imbibe/monitor/guard.hpp>
@@ -19,12 +19,12 @@
 
 namespace imbibe {
 
-/// Takes a scene to its end and keeps in a folder what a long computation needs: a table of numbers over time,
-/// snapshots for ParaView, checkpoints. A Guard looks at the scene. A run that is stopped, by Ctrl-C, a kill or a power
-/// cut, goes on from its last checkpoint to the same last bit as if it had not been stopped.
+/// Takes a scene to its end and writes what a long computation needs into a folder: a table of numbers over time,
+/// snapshots for ParaView, checkpoints. A Guard checks the scene. A run that is stopped, by Ctrl-C, a kill or a power
+/// cut, continues from its last checkpoint bit by bit as if it had not been stopped.
 ///
-/// A folder holds one run. One that has not reached its end is neither overwritten nor gone on with by other physics
-/// unless the program is told so; what a finished one has left is taken away before another begins.
+/// A folder holds one run. An unfinished run is not overwritten, nor continued with other physics, unless the program
+/// asks for it; the files of a finished run are removed before another begins.
 /// <!-- tests/output/test_run.cpp -->
 /// ```
 /// imbibe::Run run(scene, {.folder = folder, .end = 0.02, .table_interval = 2e-3, .snapshot_interval = 0.01});
@@ -38,7 +38,7 @@ public:
     static constexpr int dim = Scene::dimension; ///< 2 or 3
 
     /// Nothing is written yet.
-    /// @param scene as it is before its first step, with everything added; it has to live as long as the run
+    /// @param scene before its first step, with all particles added; it must live as long as the run
     /// @param settings where it writes, what, and how it begins
     /// @throws Error for numbers out of range; for a folder that cannot be written, or holds another run that has not
     ///     reached its end; where there is no checkpoint to go on from
@@ -47,21 +47,21 @@ public:
         folder_.check_beginning();
     }
 
-    /// Adds a column to the table: `value()` is called for each row. Behind the first, the time, and before the last
-    /// two, the step's length and what limits it.
+    /// Adds a column to the table: `value()` is called for each row. Columns stand after the first, the time, and
+    /// before the last two, the step's length and what limits it.
     Run& column(std::string name, std::string unit, std::function<double()> value) {
         columns_.push_back({std::move(name), std::move(unit)});
         values_.push_back(std::move(value));
         return *this;
     }
-    /// A number of the program that belongs to the run, such as what has left the scene: checkpoints carry it, and a
-    /// restart sets it.
+    /// A number of the program that belongs to the run, such as the mass that has left the scene: checkpoints carry it,
+    /// and a restart sets it.
     template <class Number>
     Run& keep(std::string name, Number& value) {
         folder_.keep(std::move(name), &value);
         return *this;
     }
-    /// A number that the scene was made with. A restart with another one is refused, or, where it may change, told of.
+    /// A number that the scene depends on. A restart with another value is refused or, if it may change, reported.
     Run& depends_on(RunNumber number) {
         folder_.depends_on(std::move(number));
         return *this;
@@ -71,18 +71,18 @@ public:
         observers_.push_back(std::move(observer));
         return *this;
     }
-    /// The guard that looks at the scene, with its default bounds unless it is given others: `run.guard() = ...`.
+    /// The guard that checks the scene, with default bounds unless others are set: `run.guard() = ...`.
     Guard<dim>& guard() { return guard_; }
 
-    /// Runs to the end. What goes wrong with the scene or the files on the way is reported in the outcome, and all that
-    /// had been written stays.
+    /// Runs to the end. Failures of the scene or the files are reported in the outcome, and everything written before
+    /// stays.
     /// @throws Error for a checkpoint that is not of this run; what observers and columns throw, but Diverged
     RunOutcome go();
 
 private:
-    struct Stopped {}; // thrown where the user wants the run to end
+    struct Stopped {}; // thrown when the user ends the run
 
-    // A piece of work on files, or of the program's own functions: what goes wrong in it is not the scene's fault.
+    // Work on files, or in the program's own functions: its failures are not the scene's.
     template <class Work>
     void during(bool& what, const Work& work) {
         what = true;
@@ -117,11 +117,12 @@ private:
     bool writing_ = false, in_program_ = false;
 };
 
-/// A run is of the type of its scene.
+/// A run takes the type of its scene.
 template <class Scene>
 Run(Scene&, RunSettings) -> Run<Scene>;
 
-// Brings the scene, the table and the snapshots to where the run begins or goes on, and says what it is about to do.
+// Brings the scene, the table and the snapshots to the state at which the run begins or continues, and prints what it
+// does.
 template <class Scene>
 std::optional<Table> Run<Scene>::begin(Snapshots& snapshots) {
     const RunSettings& s = folder_.settings();
@@ -145,7 +146,7 @@ std::optional<Table> Run<Scene>::begin(Snapshots& snapshots) {
     const auto rows = static_cast<std::size_t>(folder_.rows);
     snapshots.resume(scene_, static_cast<std::size_t>(folder_.snapshots));
     const bool with_table = s.table_interval > 0;
-    if (s.restart && s.previous) { // from here on the later one has no table that fits it
+    if (s.restart && s.previous) { // from here on no table fits the later one
         if (with_table)
             Table::require_resumable(path, columns, rows);
         return_to_previous_checkpoint(folder_.checkpoint());
@@ -153,7 +154,7 @@ std::optional<Table> Run<Scene>::begin(Snapshots& snapshots) {
     std::optional<Table> table;
     if (with_table)
         table.emplace(s.restart ? Table::resume(path, columns, rows) : Table(path, columns));
-    folder_.set_finished(false); // not before all is there that a run goes on from
+    folder_.set_finished(false); // not before everything needed to continue is there
     return table;
 }
 
@@ -182,7 +183,7 @@ void Run<Scene>::run(std::optional<Table>& table, Snapshots& snapshots) {
             pictures(now);
         if (!s.quiet)
             progress_(now);
-        if (s.stop_on_signal && StopOnSignal::asked() && now.search_is_due()) { // here a checkpoint changes nothing
+        if (s.stop_on_signal && StopOnSignal::asked() && now.search_is_due()) { // a checkpoint changes nothing here
             guard_.look(now);
             throw Stopped{};
         }
@@ -195,7 +196,7 @@ void Run<Scene>::run(std::optional<Table>& table, Snapshots& snapshots) {
         }
     });
     guard_.look(scene_);
-    write(); // from which the run can go on to a later end
+    write(); // so that the run can continue to a later end
     during(writing_, [&] { folder_.set_finished(true); });
 }
 

@@ -12,7 +12,7 @@ namespace imbibe {
 
 namespace detail {
 
-/// How far the table of a run reaches, s: the first number of its last whole line; nothing where there is none.
+/// The last time in the table of a run, s: the first number of its last complete line; empty if there is none.
 inline std::optional<double> time_reached(const std::filesystem::path& table) {
     std::ifstream file(table);
     std::optional<double> time;

@@ -1,4 +1,4 @@
-// What a run is told before it begins, and what it says when it is over; see run.hpp.
+// The settings of a run and its outcome; see run.hpp.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace imbibe {
 
-/// How messages of a run call what the user can do: by default as the members of RunSettings and Settings are called; a
-/// program with a command line names its options.
+/// The words that messages of a run use for the user's choices: by default the member names of RunSettings and
+/// Settings; a program with a command line names its options.
 struct RunWords {
     std::string restart = "restart";     ///< RunSettings::restart
     std::string overwrite = "overwrite"; ///< RunSettings::overwrite
@@ -29,12 +29,12 @@ struct RunSettings {
     double snapshot_interval = 0;    ///< between two snapshots, s; 0: none
     double checkpoint_interval = 60; ///< of wall time between two checkpoints, s; 0: one at every search for neighbours
     bool restart = false;            ///< go on from the checkpoint in the folder instead of from the start
-    bool previous = false;           ///< and that from the one before the last, which is then given up
+    bool previous = false;           ///< and from the one before the last; the last is then given up
     bool overwrite = false;          ///< begin anew in the folder of a run that has not reached its end
     bool quiet = false;              ///< print no description of the scene and no progress
     bool stop_on_signal = true;      ///< Ctrl-C and a polite kill end the run with a checkpoint, not the program
-    /// Files that the program makes in the folder of what the run has written, such as pictures: taken away before
-    /// another run begins there.
+    /// Files that the program makes in the folder from the run's output, such as pictures: removed before another run
+    /// begins there.
     std::vector<std::string> products = {};
     RunWords words = {}; ///< for messages
 };
@@ -44,18 +44,18 @@ struct RunNumber {
     std::string name;        ///< as the user gives it: an option, say
     double value = 0;        ///< in `unit`
     std::string unit = {};   ///< empty for a pure number
-    bool may_change = false; ///< in a run: it says how something is computed, not what
-    /// For values that are more than a number: the words in their place; empty: the value and its unit.
+    bool may_change = false; ///< within a run: it affects how something is computed, not what
+    /// For values that are more than a number: their text; null: the value and its unit.
     std::string (*in_words)(double) = nullptr;
 };
 
 /// What came of a Run.
 struct RunOutcome {
-    std::string failure;       ///< empty where the run reached its end; else why it did not, and how it is gone on with
-    bool stopped = false;      ///< it was the user who wanted it to end (Ctrl-C)
+    std::string failure;       ///< empty if the run reached its end; else why it did not, and how to continue it
+    bool stopped = false;      ///< the user ended it (Ctrl-C)
     double time = 0;           ///< the time reached, s
     long long steps = 0;       ///< taken since the run began, also before a restart
-    std::size_t snapshots = 0; ///< that there are of the run
+    std::size_t snapshots = 0; ///< number of snapshots of the run
     double wall_seconds = 0;   ///< since this object was made, s
 };
 

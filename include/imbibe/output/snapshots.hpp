@@ -1,4 +1,4 @@
-// Snapshots of a whole scene: a VTK series for each phase, with every field that is a state or says that it is shown.
+// Snapshots of a whole scene: a VTK series for each phase, with every state and every field that is `shown`.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -13,33 +13,34 @@
 
 namespace imbibe {
 
-/// Writes `<folder>/<phase>_000000.vtp`, ... and `<folder>/<phase>.pvd` for every phase; the phase's name in lower
-/// case. As an observer of `run_until` by itself it writes before the first step and after every one;
-/// `every(interval, Snapshots(folder))` writes now and then.
+/// Writes `<folder>/<phase>_000000.vtp`, ... and `<folder>/<phase>.pvd` for every phase, with the phase's name in lower
+/// case. Used directly as an observer of `run_until` it writes before the first step and after every one;
+/// `every(interval, Snapshots(folder))` writes at intervals.
 ///
-/// What is in the folder tells one story, as VtkSeries says: a snapshot replaces those that are not earlier, so a run
-/// may go back to a checkpoint; the first of an object, at a time above 0 s, continues what the folder lists before
-/// that time, so a restarted run writes into the folder of the run before; and at 0 s a new series begins. A new run
-/// whose first snapshot comes later calls `resume(scene, 0)` before it, or has a folder of its own.
+/// A folder holds one series, as for VtkSeries: a snapshot replaces those that are not earlier, so a run may go back to
+/// a checkpoint. The first snapshot of an object, at a time above 0 s, continues what the folder lists before that
+/// time, so a restarted run writes into the folder of the run before; at 0 s a new series begins. A new run whose first
+/// snapshot is at a later time calls `resume(scene, 0)` before it, or has a folder of its own.
 class Snapshots {
 public:
     /// Throws Error now, not at the first snapshot, if the folder cannot be written.
     explicit Snapshots(std::filesystem::path folder) : folder_(std::move(folder)) { require_writable(folder_); }
 
-    /// One snapshot of the scene as it is. Throws Error as VtkSeries::write does.
+    /// Writes one snapshot of the present scene. Throws Error as VtkSeries::write does.
     template <class Scene>
     void operator()(const Scene& scene) {
         write(scene.engine(), scene.time(), scene.settings().origin);
     }
 
-    /// How many snapshots there are of the phase that has the most.
+    /// The number of snapshots of the phase that has the most.
     std::size_t size() const {
         std::size_t most = 0;
         for (const auto& [name, series] : series_)
             most = std::max(most, series.size());
         return most;
     }
-    /// The names of the files in the folder that list the snapshots of a scene, `water.pvd`, one for each phase.
+    /// The names of the files in the folder that list the snapshots of a scene, such as `water.pvd`, one for each
+    /// phase.
     template <class Scene>
     static std::vector<std::string> lists(const Scene& scene) {
         std::vector<std::string> names;
@@ -47,8 +48,8 @@ public:
             names.push_back(file_name(scene.engine(), phase) + ".pvd");
         return names;
     }
-    /// Goes on behind the first `snapshots` of an earlier run in the same folder, whatever the time of the next one;
-    /// with 0 a new series begins. Throws Error if they are not there.
+    /// Continues after the first `snapshots` of an earlier run in the same folder, for any time of the next one; with 0
+    /// a new series begins. Throws Error if they are not there.
     template <class Scene>
     void resume(const Scene& scene, std::size_t snapshots) {
         for (const auto& phase : scene.engine().phases)
@@ -59,7 +60,7 @@ private:
     std::filesystem::path folder_;
     std::map<std::string, VtkSeries> series_;
 
-    // The phase's name in lower case; with its number where another one has the same.
+    // The phase's name in lower case; with its number if another one has the same.
     template <int dim, class Real>
     static std::string file_name(const detail::SceneStore<dim, Real>& scene,
                                  const detail::PhaseStore<dim, Real>& phase) {

@@ -5,8 +5,8 @@
 
 namespace imbibe {
 
-/// While it lives, Ctrl-C (SIGINT) and a polite kill (SIGTERM) do not end the program; asked() says that one has come.
-/// What the program did with them before is back when it goes. Of several at once the last one made is asked.
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM do not end the program; asked() returns whether one has come. Its
+/// destructor restores the former handlers. Of several objects the last one made counts.
 class StopOnSignal {
 public:
     /// From now on signals are noted.

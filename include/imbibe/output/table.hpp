@@ -31,9 +31,9 @@ struct Column {
     std::string unit = {};
 };
 
-/// What stands in one place of a table: a number of any kind, or words.
+/// One cell of a table: a number of any kind, or words.
 struct Cell : std::variant<double, std::string> {
-    /// A number. Whole ones are kept to the last digit up to 2^53.
+    /// A number. Whole numbers are exact up to 2^53.
     template <class Number>
     requires std::is_arithmetic_v<Number> Cell(Number number) : variant(static_cast<double>(number)) {}
     /// Words.
@@ -42,14 +42,14 @@ struct Cell : std::variant<double, std::string> {
     Cell(const char* words) : variant(std::string(words)) {}
 };
 
-/// A CSV file that grows by one row at a time. The first line names the columns as `name [unit]`; every row is on disk
-/// when row() returns, and numbers have as many digits as it takes to read the same double back.
+/// A CSV file that grows by one row at a time. The first line names the columns as `name [unit]`. Every row is on disk
+/// when row() returns, and numbers have enough digits to read the same double back.
 ///
-/// A table over time, one whose first column is `{"time", "s"}`, tells one story, as VtkSeries does: a row replaces
-/// those that are not earlier than it, as where a run has gone back to a checkpoint. The first row of an object, where
-/// its time is above 0 s, continues the file that is there with the rows before that time, as after a restart; at 0 s
-/// or before it starts the file anew. Times that differ by a billionth are the same. Any other table starts its file
-/// anew at once, as does one over time where there is none; resume() says otherwise.
+/// In a table over time, whose first column is `{"time", "s"}`, a row replaces those that are not earlier, as when a
+/// run has gone back to a checkpoint. The first row of an object, if its time is above 0 s, continues the existing file
+/// after the rows before that time, as after a restart; at or before 0 s it starts the file anew. Times that differ by
+/// a billionth are the same. Any other table starts its file anew at once, as does one over time without an existing
+/// file; resume() overrides this.
 /// <!-- tests/output/test_pictures.cpp -->
 /// ```
 /// imbibe::Table table(folder / "run.csv", {{"time", "s"}, {"displacement", "m"}});
@@ -58,9 +58,9 @@ struct Cell : std::variant<double, std::string> {
 /// ```
 class Table {
 public:
-    /// Starts the file anew; a table over time that is there stays until the first row says whether it is continued.
-    /// Throws Error if it cannot be written, or for a column with no name, a name twice, or a line break or quotation
-    /// mark in it.
+    /// Starts the file anew; an existing table over time stays until the first row decides whether it is continued.
+    /// Throws Error if it cannot be written, or for a column without a name, a repeated name, or a line break or
+    /// quotation mark in a name.
     Table(std::filesystem::path path, std::vector<Column> columns)
         : Table(std::move(path), std::move(columns), Begin::as_the_first_row_says) {
         std::error_code none_there;
@@ -72,8 +72,8 @@ public:
         }
     }
 
-    /// Continues the file of an earlier run, whatever the time of the next row: keeps its first `rows` rows and drops
-    /// what follows. Throws Error if it has other columns or fewer rows, or a row of them another number of cells.
+    /// Continues the file of an earlier run, for any time of the next row: keeps its first `rows` rows and drops the
+    /// rest. Throws Error if it has other columns or fewer rows, or a row has another number of cells.
     static Table resume(std::filesystem::path path, std::vector<Column> columns, std::size_t rows) {
         const std::string kept = first_rows(path, columns, rows);
         AtomicFile whole(path);
@@ -81,26 +81,26 @@ public:
         whole.commit();
         return Table(std::move(path), std::move(columns), Begin::behind_what_is_there);
     }
-    /// Throws Error where resume() would for what is in the file, and changes nothing: to be asked before anything else
-    /// is given up for the state that the table is continued from.
+    /// Throws Error if resume() would for the existing file, and changes nothing: check this before giving anything up
+    /// for the state from which the table is continued.
     static void require_resumable(const std::filesystem::path& path, const std::vector<Column>& columns,
                                   std::size_t rows) {
         first_rows(path, columns, rows);
     }
 
-    /// Appends one row. Throws Error unless it has one number for each column, and when the disk refuses it; the rows
-    /// before it stay. In a table over time Error, too, for a time that is not a finite number, and where the file that
-    /// is to be continued has other columns, or a row that does not begin with a time or has another number of cells.
+    /// Appends one row. Throws Error unless it has one number for each column, and when the disk refuses it; earlier
+    /// rows stay. A table over time also throws for a time that is not finite, and if the file to be continued has
+    /// other columns, or a row that does not begin with a time or has another number of cells.
     void row(std::span<const double> values) {
         std::string line;
         for (const double value : values)
             line += number(value) + ',';
         write_row(line, values.size(), values.empty() ? std::nullopt : std::optional(values.front()));
     }
-    /// Appends one row of numbers and words: `table.row({scene.time(), scene.steps(), "wet"})`. Throws Error for words
-    /// with a line break or quotation mark in them, too, and for words in the place of a time.
+    /// Appends one row of numbers and words: `table.row({scene.time(), scene.steps(), "wet"})`. Also throws Error for
+    /// words with a line break or quotation mark, and for words in place of a time.
     void row(std::initializer_list<Cell> cells) { row(std::span<const Cell>(cells.begin(), cells.size())); }
-    /// The same, of a range.
+    /// The same from a range.
     void row(std::span<const Cell> cells) {
         std::string line;
         for (const Cell& cell : cells) {
@@ -138,7 +138,7 @@ private:
             open(std::ios::app);
     }
 
-    // The first line and `rows` rows of the file that is to be continued.
+    // The first line and `rows` rows of the file to be continued.
     static std::string first_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
                                   std::size_t rows) {
         const auto expected = first_line(columns);
@@ -215,7 +215,7 @@ private:
             cut_off_at(seconds);
         begun_ = true;
     }
-    // Takes the rows from `seconds` on out of the file, in one step, so that it is whole whenever the program ends.
+    // Removes the rows from `seconds` on from the file, in one step, so that it is complete whenever the program ends.
     void cut_off_at(double seconds) {
         const auto expected = first_line(columns_);
         const auto remedy = "; give this table another name, or move that one away";
@@ -225,7 +225,7 @@ private:
                 path_.string(), ", at ", seconds, " s, would continue the file that is there, whose first line is '",
                 line, "' where this run writes '", expected, "'", remedy);
         std::string kept = line + "\n";
-        while (std::getline(in, line) && !in.eof()) { // a last line without its end was cut off by a kill
+        while (std::getline(in, line) && !in.eof()) { // a kill cut off a last line without its end
             const auto time = detail::number_in_text(line);
             require(time.has_value(), "cannot continue the table ", path_.string(), ": its row '", line,
                     "' does not begin with a time", remedy);
@@ -240,7 +240,7 @@ private:
         whole.commit();
         open(std::ios::app);
     }
-    // A row that was refused in its middle is taken back, so that the next one begins a line.
+    // A partly written row is removed, so that the next one begins a line.
     void write(const std::string& line) {
         std::error_code unknown;
         const auto before = std::filesystem::file_size(path_, unknown);
@@ -260,7 +260,7 @@ private:
     std::vector<Column> columns_;
     std::ofstream out_;
     bool over_time_ = false;
-    bool begun_ = true;                                      ///< is it settled what the file continues?
+    bool begun_ = true;                                      ///< has it been decided what the file continues?
     double last_ = -std::numeric_limits<double>::infinity(); ///< the time of the row written last, s
 };
 

@@ -22,13 +22,13 @@
 
 namespace imbibe {
 
-/// How many digits a VTK file keeps of a double: all of them, or those of a float in half the space.
+/// How many digits of a double a VTK file keeps: all, or those of a float in half the space.
 enum class VtkPrecision { as_given, single };
 
 /// One quantity per particle, as the caller stores it: component c of particle i is `data[c * stride + i]` (structure
 /// of arrays). It is a view; the data must live until the file has been written.
 ///
-/// `columns` says what VTK gets: its k-th component is the stored component `columns[k]`, or zero where that is -1.
+/// `columns` selects the output: its k-th component is the stored component `columns[k]`, or zero if that is -1.
 struct VtkArray {
     /// A name for the menus of ParaView; unique in a file.
     std::string name;
@@ -41,9 +41,9 @@ struct VtkArray {
     /// Which stored component each written one is; -1: zero.
     std::vector<int> columns = {0};
 
-    /// A view of a field of this rank in `dim` = 2 or 3 dimensions, with the order of core/vector.hpp: vectors x, y, z;
-    /// symmetric tensors xx, xy, xz, yy, yz, zz; tensors row by row. What 2D lacks is written as zero, and symmetric
-    /// tensors are written in VTK's own order xx, yy, zz, xy, yz, xz. Throws Error for another `dim`.
+    /// A view of a field of this rank in `dim` = 2 or 3 dimensions, in the order of core/vector.hpp: vectors x, y, z;
+    /// symmetric tensors xx, xy, xz, yy, yz, zz; tensors row by row. Components missing in 2D are written as zero, and
+    /// symmetric tensors are written in VTK's own order xx, yy, zz, xy, yz, xz. Throws Error for another `dim`.
     template <class T>
     static VtkArray of(std::string name, std::string unit, Rank rank, int dim, const T* data, std::size_t stride) {
         require(dim == 2 || dim == 3, "VTK array ", name, ": dim = ", dim, "; it must be 2 or 3");
@@ -73,7 +73,7 @@ inline std::string shortest(double value) {
     return {digits.data(), end};
 }
 
-/// `words` with what XML would misread replaced.
+/// `words` with XML's special characters escaped.
 inline std::string xml_escaped(std::string_view words) {
     std::string safe;
     for (const char c : words) {
@@ -125,7 +125,7 @@ public:
     /// `position` has 2 or 3 components, m; 2D points are written with z = 0. Throws Error for anything else.
     VtkFile(std::size_t particles, VtkArray where);
 
-    /// Adds a quantity. Throws Error if its name is empty or taken, or if it has data missing.
+    /// Adds a quantity. Throws Error if its name is empty or taken, or if data are missing.
     VtkFile& add(VtkArray array);
     /// One number for the whole file, such as the particle spacing in m (tools/render_sponge.py looks for "spacing").
     VtkFile& constant(std::string name, double value) {
@@ -135,11 +135,11 @@ public:
     /// The time of the snapshot, s, which ParaView shows.
     VtkFile& time(double seconds) { return constant("TimeValue", seconds); }
 
-    /// Writes the file as a whole or not at all (see AtomicFile). Throws Error when it cannot be written.
+    /// Writes the file completely or not at all (see AtomicFile). Throws Error when it cannot be written.
     void write(const std::filesystem::path& path, VtkPrecision precision = VtkPrecision::as_given) const;
 
 private:
-    /// Calls use(pointer, as) with the stored pointer and a value of the type in which it is to be written.
+    /// Calls use(pointer, as) with the stored pointer and a value of the type to be written.
     template <class Use>
     static void visit(const VtkArray& array, VtkPrecision precision, Use use) {
         std::visit(
@@ -159,7 +159,7 @@ private:
                        std::uint64_t& offset) const;
     std::string described(const VtkArray& array, VtkPrecision precision, std::uint64_t& offset) const;
 
-    /// VTK wants particle by particle what the library keeps component by component: turned over in small blocks.
+    /// Transposes in small blocks: VTK stores particle by particle, the library component by component.
     void put(AtomicFile& file, const VtkArray& array, VtkPrecision precision) const;
     void put_counting(AtomicFile& file, std::int32_t from) const;
     static void put_size(AtomicFile& file, std::uint64_t bytes) { file.write(&bytes, sizeof bytes); }

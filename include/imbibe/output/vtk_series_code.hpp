@@ -16,7 +16,7 @@ IMBIBE_CODE void VtkSeries::write(double seconds, VtkFile file) {
     require(std::isfinite(seconds), "VTK series ", phase_, ": a snapshot at ", seconds,
             " s; the time must be a finite number");
     keep_earlier_than(seconds);
-    if (list_names_more_) { // else a kill before the list is written would leave it with a file of another time
+    if (list_names_more_) { // else a kill before the list is written leaves it with a file of another time
         write_list();
         list_names_more_ = false;
     }

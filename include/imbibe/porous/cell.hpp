@@ -21,7 +21,7 @@ inline void require_whole_spacings(const char* who, const Box<3>& cell, double s
     }
 }
 
-/// The spacing nearest to 1.5 times this one that fits into all sides, m; 0 where none from 1.15 to 2.5 times does.
+/// The spacing nearest to 1.5 times this one that divides all sides, m; 0 if none from 1.15 to 2.5 times does.
 [[nodiscard]] inline double wider_spacing(const Box<3>& cell, double spacing) {
     double wide = 0;
     const double shortest = cell.size().minCoeff();

@@ -1,5 +1,5 @@
-// How stiff a porous body is as a whole, and what becomes of its pores when it is squeezed: a periodic cell of elastic
-// particles under a mean strain.
+// The effective stiffness of a porous body, and the deformation of its pores under compression: a periodic cell of
+// elastic particles under a mean strain.
 #pragma once
 
 #include <imbibe/geometry/combine.hpp>
@@ -34,8 +34,8 @@ struct MeanStrainParameters {
     bool operator==(const MeanStrainParameters&) const = default;
 };
 
-/// `Law` at the deformation gradient F + H: the solid's displacement is H X + u, of which the particles move by u
-/// alone, which is periodic where H X is not. All else of a total-Lagrangian solid sees u only.
+/// `Law` at the deformation gradient F + H: the solid's displacement is H X + u, of which the particles move by u only,
+/// because u is periodic and H X is not. The other terms of a total-Lagrangian solid see u only.
 ///
 /// Source: the first-order homogenisation of periodic cells, for instance Michel, Moulinec and Suquet (1999).
 template <class Law>
@@ -49,7 +49,7 @@ struct UnderMeanStrain {
     Parameters parameters{};
 
     template <class A>
-    struct Strained { // a particle as Law is to see it
+    struct Strained { // a particle as Law sees it
         using Scalar = typename A::Scalar;
         static constexpr int dimension = A::dimension;
         const typename A::Material& material;
@@ -70,7 +70,7 @@ struct UnderMeanStrain {
     }
 
     static constexpr const char* limit_name = Law::limit_name;
-    /// That of the law, s.
+    /// The limit of the law, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return Law::time_step_limit(material, in);
     }
@@ -80,7 +80,7 @@ struct UnderMeanStrain {
 
 namespace porous {
 
-/// The elastic body of a periodic cell; the unit of length is the spacing, of density its own, of stress its Young's
+/// The elastic body of a periodic cell. Units: of length the spacing, of density its own, of stress its Young's
 /// modulus.
 struct Skeleton : Solid<ReferenceCorrection<WendlandC2>, DeformationGradient<WendlandC2>,
                         detail::UnderMeanStrain<CompressibleNeoHookean>, TotalLagrangianForce<WendlandC2>,
@@ -88,38 +88,38 @@ struct Skeleton : Solid<ReferenceCorrection<WendlandC2>, DeformationGradient<Wen
 
 } // namespace porous
 
-/// How strained() and elastic_moduli() compute.
+/// Settings of strained() and elastic_moduli().
 struct SkeletonRun {
     double poisson_ratio = 0.3; ///< of the material; 0 to 0.45
     double support = 2;         ///< of the kernel, spacings; 1.5 to 3. For particles along the lattice 1.5 suffices
-    double left = 1e-3;         ///< ends when the mean stress changes by less than this part of itself; 1e-6 to 0.1
-    long long steps = 200000;   ///< ends with an Error when it still does after so many
+    double left = 1e-3;         ///< ends when the relative change of the mean stress is below this; 1e-6 to 0.1
+    long long steps = 200000;   ///< ends with an Error if it has not converged after this many
     int threads = 0;            ///< 1 to 1024; 0: all of the machine
 };
 
 /// A periodic cell of an elastic body at rest under a mean strain.
 struct Strained {
-    std::vector<Point<3>> body; ///< where the particles are now, m: X + H X + u
+    std::vector<Point<3>> body; ///< present positions of the particles, m: X + H X + u
     Eigen::Matrix3d stress;     ///< mean first Piola-Kirchhoff stress over the cell, in Young's moduli of the body
-    double left = 0;            ///< part of it by which it changed in the end
+    double left = 0;            ///< relative change of the stress at the end
     long long steps = 0;        ///< time steps that it took
 };
 
-/// Strains a periodic cell of an elastic body as a whole and lets it come to rest: x = X + H X + u with a periodic u,
-/// and the mean of the stress over the cell, which does its work on H (Hill and Mandel).
+/// Applies a mean strain to a periodic cell of an elastic body and lets it come to rest: x = X + H X + u with a
+/// periodic u. The stress is the mean over the cell, which does its work on H (Hill and Mandel).
 ///
-/// The strain is applied in parts of 2 %. After each the body swings, damped critically at the frequency of what moves
-/// most (dynamic relaxation, Underwood 1983), until the stress is steady.
+/// The strain is applied in parts of 2 %. After each the body oscillates, critically damped at its dominant frequency
+/// (dynamic relaxation, Underwood 1983), until the stress is steady.
 ///
-/// Parts of the body that meet pass through each other: there is no contact. Loose pieces are not strained. A body that
-/// bears less than 1e-5 of what the material would counts as one that bears nothing. Not for struts thinner than 4
+/// There is no contact: parts of the body that meet pass through each other. Loose pieces are not strained. A body that
+/// bears less than 1e-5 of the material's stress counts as one that bears nothing. Not for struts thinner than 4
 /// spacings: they are too soft.
 /// @param body places of the particles in the stress-free cell, m
 /// @param cell the periodic cell, m
 /// @param spacing of the particles, m
 /// @param gradient H_ij = d u_i/d X_j; no principal stretch may be below 0.2
 /// @param run how
-/// @throws Error for numbers out of range, and where there is no rest after SkeletonRun::steps
+/// @throws Error for numbers out of range, and if it is not at rest after SkeletonRun::steps
 [[nodiscard]] inline Strained strained(const std::vector<Point<3>>& body, const Box<3>& cell, double spacing,
                                        const Eigen::Matrix3d& gradient, const SkeletonRun& run = {}) {
     constexpr const char* who = "strained";
@@ -156,7 +156,7 @@ struct Strained {
     const auto mean_stress = [&] {
         Eigen::Matrix3d sum;
         const auto P = view[first_piola_stress];
-        const auto share = view[stress_share]; // of it that a particle bears
+        const auto share = view[stress_share]; // share of its stress that a particle bears
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
                 sum(i, j) = P.col(3 * i + j).dot(share.col(0)) / size.prod();
@@ -168,7 +168,7 @@ struct Strained {
         const Eigen::Matrix3d H = gradient * part / parts;
         view.material().set(detail::MeanStrainParameters{H(0, 0), H(0, 1), H(0, 2), H(1, 0), H(1, 1), H(1, 2), H(2, 0),
                                                          H(2, 1), H(2, 2)});
-        if (part > 1) // what it will be if it grows in proportion
+        if (part > 1) // first guess by proportional growth
             view[position] += (view[position] - view[reference_position]) / (part - 1.0);
         const double enough = part == parts ? run.left : 0.1;
         Eigen::Matrix3d before = mean_stress();
@@ -201,39 +201,39 @@ struct Strained {
     return found;
 }
 
-/// How stiff a porous body is as a whole, in Young's moduli of its material.
+/// The effective stiffness of a porous body, in Young's moduli of its material.
 struct ElasticModuli {
     /// Mean stress over mean strain, both in the order xx, yy, zz, yz, xz, xy, with the doubled shear strains (Voigt):
     /// row for the stress, column for the strain.
     Eigen::Matrix<double, 6, 6> stiffness;
-    /// What a finer spacing is expected to change of each; 0: not known.
+    /// Expected change of each with a finer spacing; 0: not known.
     Eigen::Matrix<double, 6, 6> error = Eigen::Matrix<double, 6, 6>::Zero();
-    double porosity = 0; ///< part of the particles that are no body, 0 to 1
+    double porosity = 0; ///< share of the particles that are not body, 0 to 1
 
     /// Young's modulus along an axis (0, 1, 2), free sideways.
     [[nodiscard]] double young(int axis) const { return 1 / compliance()(axis, axis); }
-    /// Poisson's ratio: how much it contracts along `across` when it is drawn along `along`.
+    /// Poisson's ratio: the contraction along `across` under tension along `along`.
     [[nodiscard]] double poisson(int along, int across) const {
         const Eigen::Matrix<double, 6, 6> S = compliance();
         return -S(across, along) / S(along, along);
     }
-    /// The shear modulus of the plane at right angles to an axis.
+    /// The shear modulus of the plane normal to an axis.
     [[nodiscard]] double shear(int axis) const { return 1 / compliance()(3 + axis, 3 + axis); }
 
 private:
     [[nodiscard]] Eigen::Matrix<double, 6, 6> compliance() const { return stiffness.inverse(); }
 };
 
-/// The elastic moduli of a shape in its bounds, which are taken as a periodic cell: six small strains of
-/// strained(), each of 1e-4, at the spacing and at one about 1.5 times as wide. The error is mostly that faces are too
-/// soft and falls in proportion to the spacing, so the two are extrapolated to none; what that adds is
-/// ElasticModuli::error. Where that is more than a third of the diagonal, struts are hardly resolved, and the moduli
-/// are left as they are at the spacing.
+/// The elastic moduli of a shape in its bounds, which are taken as a periodic cell: six small strains of strained(),
+/// each of 1e-4, at the spacing and at one about 1.5 times as wide. The main error is that faces are too soft. It is
+/// proportional to the spacing, so the two results are extrapolated to zero spacing; ElasticModuli::error is the
+/// correction. If it is more than a third of the diagonal, struts are hardly resolved, and the moduli are left as they
+/// are at the spacing.
 ///
-/// Not for shapes that fall apart: the moduli are then zero along some axis, and young() is not defined.
-/// @param shape the body; one that does not fit to itself across the sides of its bounds is mirrored first
+/// Not for shapes that are not connected: some moduli are then zero, and young() is not defined.
+/// @param shape the body; one that is not periodic across the sides of its bounds is mirrored first
 /// @param spacing of the particles, m; each side of the bounds must be a whole number of spacings
-/// @param run how; SkeletonRun::left is of each of the six strains
+/// @param run settings; SkeletonRun::left is of each of the six strains
 /// @throws Error as strained() and fitted() do
 template <AnyShape S>
 requires(shape_dimension<S> == 3) [[nodiscard]] ElasticModuli

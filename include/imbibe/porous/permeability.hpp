@@ -1,4 +1,4 @@
-// How easily a liquid flows through the pores of a body: permeability and tortuosity, from slow flow between particles.
+// The permeability and tortuosity of a porous body, from slow flow between particles.
 #pragma once
 
 #include <imbibe/fluid/continuity.hpp>
@@ -21,51 +21,51 @@
 
 namespace imbibe {
 
-/// What permeability() found for one direction.
+/// The results of permeability() for one direction.
 struct Permeability {
-    /// k_x, k_y, k_z, m^2: a column of the permeability tensor, for a pressure that falls along one axis.
+    /// k_x, k_y, k_z, m^2: a column of the permeability tensor, for a pressure gradient along one axis.
     Point<3> column;
-    /// Of the component along that axis, m^2: what a finer spacing is expected to change; 0: not known.
+    /// Of the component along that axis, m^2: the expected change with a finer spacing; 0: not known.
     double error = 0;
-    /// Mean of |u| over the mean of u along the axis: how much longer than straight the ways are.
+    /// Mean of |u| over the mean of u along the axis: the length of the flow paths relative to a straight line.
     double tortuosity = 1;
-    double porosity = 0; ///< part of the particles that are liquid, 0 to 1
-    double left = 0;     ///< by how much of itself k may still change in time: what the extrapolation added
+    double porosity = 0; ///< share of the particles that are liquid, 0 to 1
+    double left = 0;     ///< possible relative change of k in time: the correction by the extrapolation
     long long steps = 0; ///< time steps that it took
 };
 
-/// How permeability() computes.
+/// Settings of permeability().
 struct PermeabilityRun {
-    double left = 0.01;       ///< ends when the extrapolation in time adds less than this part of k; 1e-4 to 0.5
-    long long steps = 100000; ///< ends with an Error when it is not there after so many
+    double left = 0.01;       ///< ends when the extrapolation in time adds less than this share of k; 1e-4 to 0.5
+    long long steps = 100000; ///< ends with an Error if it has not converged after this many
     int threads = 0;          ///< 1 to 1024; 0: all of the machine
-    /// Is called at times with the part of k that is still missing, such as to print it.
+    /// Called at times with the share of k that is still missing, for example to print it.
     std::function<void(double)> progress{};
 };
 
 namespace porous {
 
-/// The liquid in the pores; the unit of length is the spacing, of density the liquid's, of viscosity its kinematic one.
+/// The liquid in the pores. Units: of length the spacing, of density the liquid's, of viscosity its kinematic one.
 struct Liquid : Fluid<LinearState, VolumeContinuity<QuinticSpline>, VolumePressure<QuinticSpline>,
                       MorrisViscosity<QuinticSpline>> {};
 /// The body, which is rigid.
 struct Grains : Wall<> {};
-/// The liquid sticks to the body.
+/// No-slip between liquid and body.
 struct Contact : Coupling<Liquid, Grains, Into<Grains, PressureExtrapolation<QuinticSpline>>,
                           VolumePressure<QuinticSpline>, Into<Liquid, NoSlipContinuity<QuinticSpline>>,
                           Into<Grains, NoSlipVelocity<QuinticSpline>>, NoSlipViscosity<QuinticSpline>> {};
 
 } // namespace porous
 
-/// The permeability of a periodic cell that particles of liquid and of a rigid body fill, for a pressure that falls
-/// along `axis`: k_i = mu u_i/f, m^2, with the mean velocity u over the whole cell (Darcy) and the driving force f
-/// per volume.
+/// The permeability of a periodic cell filled with particles of liquid and of a rigid body, for a pressure gradient
+/// along `axis`: k_i = mu u_i/f, m^2, with the mean velocity u over the whole cell (Darcy) and the driving force f per
+/// volume.
 ///
-/// The flow is slow, so that k depends on neither liquid nor force. It starts from rest; its mean comes near its end
-/// like exp(-t/T), and from three times the end is extrapolated (Aitken).
+/// The flow is slow, so that k depends on neither liquid nor force. It starts from rest; its mean approaches the steady
+/// value like exp(-t/T), which is extrapolated from three times (Aitken).
 ///
-/// Not for fast flow in wide pores (Forchheimer), and not where pores are narrower than 4 spacings. k comes out too
-/// large, by an error that falls with the square of the spacing: take permeability() of a shape, which corrects that.
+/// Not for fast flow in wide pores (Forchheimer), nor for pores narrower than 4 spacings. k is too large, by an error
+/// that falls with the square of the spacing: permeability() of a shape corrects that.
 ///
 /// Source: creeping flow through grains by SPH with no-slip walls: Holmes, Williams and Tilke (2011).
 /// @tparam Real float or double, of the run
@@ -101,10 +101,10 @@ template <class Real = float>
         return result;
     };
     const Point<3> size = cell.size() / spacing;
-    // Sound is three times the viscosity over the spacing: its step is then not much shorter than that of viscosity.
-    // The force is such that the pressure compresses the liquid by 1e-3 from end to end, which float still resolves.
+    // The sound speed is three times the viscosity over the spacing, which makes its step not much shorter than that of
+    // viscosity. The force compresses the liquid by 1e-3 from end to end, which float still resolves.
     const double sound = 3, force = 1e-3 * sound * sound / size[axis];
-    // Warnings would be of a scene that the caller does not know; the error says what is wrong with k.
+    // Warnings would be about a scene that the caller does not know; the error says what is wrong with k.
     Settings<3> settings{.support_radius = 3,
                          .cfl = 0.6,
                          .max_time_step = 1,
@@ -122,7 +122,7 @@ template <class Real = float>
 
     Permeability found{};
     found.porosity = static_cast<double>(pores.size()) / static_cast<double>(pores.size() + body.size());
-    const auto look = [&] { // at the mean flux over the cell, and its way
+    const auto look = [&] { // at the mean flux over the cell, and its direction
         Point<3> sum = Point<3>::Zero();
         double speeds = 0;
         const auto v = scene[liquid][velocity];
@@ -139,7 +139,7 @@ template <class Real = float>
         scene.run_until(end);
         fluxes.push_back(look());
         const std::size_t n = fluxes.size();
-        // Three times evenly apart, the last, the middle and the first of all.
+        // Three evenly spaced times: the last, the middle and the first.
         if (n % 2 == 1 && n >= 5) {
             const double a = fluxes[0][axis], b = fluxes[n / 2][axis], c = fluxes[n - 1][axis];
             const double ratio = (c - b) / (b - a); // exp(-time/T)
@@ -157,7 +157,7 @@ template <class Real = float>
                 100 * found.left,
                 " % of it are missing. Wide pores take long: allow more PermeabilityRun::steps, or a wider spacing.");
         }
-        if (n == 65) { // look at it more rarely
+        if (n == 65) { // check it less often
             std::vector<Point<3>> every_second;
             for (std::size_t i = 1; i < n; i += 2)
                 every_second.push_back(fluxes[i]);
@@ -168,12 +168,12 @@ template <class Real = float>
 }
 
 /// The permeability of a shape in its bounds, which are taken as a periodic cell: that of permeability_of_particles(),
-/// of liquid and body packed together, so that both follow the surface, at the spacing and at one about 1.5 times as
-/// wide. The error falls with the square of the spacing, so the two are extrapolated to none (Richardson); what that
-/// adds is Permeability::error. Where that would be more than half of k, pores are hardly resolved, and k is left as it
-/// is at the spacing.
+/// with liquid and body packed together so that both follow the surface, at the spacing and at one about 1.5 times as
+/// wide. The error falls with the square of the spacing, so the two results are extrapolated to zero spacing
+/// (Richardson); Permeability::error is the correction. If it is more than half of k, pores are hardly resolved, and k
+/// is left as it is at the spacing.
 ///
-/// A shape that does not fit to itself across the sides of its bounds is mirrored first (ImageBody: Beyond::mirrored).
+/// A shape that is not periodic across the sides of its bounds is mirrored first (ImageBody: Beyond::mirrored).
 /// @tparam Real float or double, of the run
 /// @param shape the body: pores are what it leaves of its bounds
 /// @param spacing of the particles, m; each side of the bounds must be a whole number of spacings

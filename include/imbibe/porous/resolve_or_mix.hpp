@@ -1,4 +1,5 @@
-// Says whether particles should resolve the pores of a body or a mixture should stand for them, with the error of each.
+// Decides whether particles should resolve the pores of a body or a mixture should represent them, with the error of
+// each.
 #pragma once
 
 #include <imbibe/geometry/point.hpp>
@@ -10,7 +11,7 @@
 
 namespace imbibe {
 
-/// A porous body and the particles that it is to be made of; what resolve_or_mix() is asked about.
+/// A porous body and its particles: the input of resolve_or_mix().
 struct PorousBody {
     double thickness = 0;    ///< the smallest size of the body, m
     double porosity = 0;     ///< the pores' share of its volume, 0 to 1
@@ -19,39 +20,39 @@ struct PorousBody {
     double spacing = 0;      ///< of the particles, m
 };
 
-/// What resolve_or_mix() found. Errors are shares of the value, without sign; 1 is "all of it".
+/// The results of resolve_or_mix(). Errors are relative, without sign; 1 is 100 %.
 struct PoreChoice {
     bool mix;               ///< take the mixture?
-    double pore_width;      ///< as given, or as wide as the permeability says, m
-    double permeability;    ///< as given, or as the width of the pores says, m^2
+    double pore_width;      ///< as given, or from the permeability, m
+    double permeability;    ///< as given, or from the width of the pores, m^2
     double across_pore;     ///< particles across a pore
     double over_body;       ///< particles over the thickness
-    double resolved_flow;   ///< error of the permeability where particles resolve the pores
+    double resolved_flow;   ///< error of the permeability if particles resolve the pores
     double mixed_flow;      ///< error of the time in which liquid drains from a mixture
     double sag;             ///< error of the sag under the weight of the body, either way
     double resolving;       ///< the spacing with which particles resolve the pores well, m: eight across
     double times_particles; ///< how many times as many particles a body in space then has as at `spacing`
-    std::string sentence;   ///< all of it, to print
+    std::string sentence;   ///< the results in words, to print
 };
 
-/// Resolve the pores of a body, or mix? Resolved pores need particles across each pore; a mixture (PorousSkeleton,
-/// SeepingFluid) needs them over the thickness of the body and takes the permeability as a number. With N particles
-/// across a pore of the width w, and M over the thickness T:
+/// Resolve the pores of a body, or use a mixture? Resolved pores need particles across each pore; a mixture
+/// (PorousSkeleton, SeepingFluid) needs them over the thickness of the body and takes the permeability as a number.
+/// With N particles across a pore of the width w, and M over the thickness T:
 ///
 /// | | resolved | mixed |
 /// |---|---|---|
 /// | permeability, drainage | 9/N^2, a third of it between flat walls | 13/M^2 + w/(2 T) |
 /// | sag | 2.6/M | 2.6/M |
 ///
-/// The numbers are those of the cases resolved-sponge and mixed-sponge, one sponge by both ways, and for round pores of
-/// LinearNoSlipVelocity's comparison; w/(2 T) is what flow in and out of the ends of pores costs, which the mixture
+/// The numbers come from the cases resolved-sponge and mixed-sponge, one sponge in both ways, and for round pores from
+/// LinearNoSlipVelocity's comparison; w/(2 T) is the cost of flow in and out of the ends of pores, which the mixture
 /// does not have. Widths and permeabilities that are not given follow from each other as for straight round pores, k =
-/// n w^2/32. The answer is the way with the smaller error of the flow, but the mixture below four particles across a
-/// pore, where particles hardly pass.
+/// n w^2/32. The answer is the way with the smaller error of the flow, but always the mixture below four particles
+/// across a pore, where particles hardly pass.
 ///
-/// Not for what happens within single pores (drops, jets, bubbles): those are resolved at any price.
+/// Not for processes within single pores (drops, jets, bubbles): always resolve those.
 ///
-/// Source: round pores: Hagen and Poiseuille; errors: measured, docs/validation.md.
+/// Source: round pores: Hagen and Poiseuille; errors: measured, docs/validation_table.md.
 /// @throws Error for a number out of range, and where neither pore_width nor permeability is given
 [[nodiscard]] inline PoreChoice resolve_or_mix(const PorousBody& body) {
     constexpr const char* who = "resolve_or_mix";
@@ -78,7 +79,7 @@ struct PoreChoice {
     found.resolved_flow = std::min(1.0, 9 / square(found.across_pore));
     found.mixed_flow = std::min(1.0, 13 / square(found.over_body) + found.pore_width / (2 * body.thickness));
     found.sag = std::min(1.0, 2.6 / found.over_body);
-    // One part in 1e9 of slack: four particles are four, whatever the last bit of the quotient says.
+    // One part in 1e9 of slack, so that exactly four particles count as four.
     found.mix = found.across_pore < 4 * (1 - 1e-9) || found.mixed_flow < found.resolved_flow;
     found.resolving = found.pore_width / 8;
     found.times_particles = std::pow(body.spacing / found.resolving, 3);

@@ -1,5 +1,5 @@
-// What takes a compiler long of a scene, and how a program leaves it to one file. The presets are compiled so in the
-// library imbibe::presets; a program of several files can do the same with a scene of its own, in a header
+// The parts of a scene that take long to compile, and how a program compiles them in one file. The presets are compiled
+// so in the library imbibe::presets; a program of several files can do the same with a scene of its own, in a header
 //
 //     using Scene = imbibe::Solver<3, float, imbibe::SymplecticEuler, Water, Tank, Contact>;
 //     IMBIBE_SCENE_FUNCTIONS(extern, imbibe::Solver<3, float, imbibe::SymplecticEuler, Water, Tank, Contact>);
@@ -14,8 +14,8 @@
 #include <imbibe/solver/describe.hpp>
 #include <imbibe/solver/solver.hpp>
 
-/// The solver itself, its description, and the observers that are the same for all scenes, as explicit instantiations.
-/// To be used outside of all namespaces.
+/// The solver itself, its description, and the observers that work with all scenes, as explicit instantiations. Use it
+/// outside of all namespaces.
 /// @param linkage `extern` says that another file has them; empty, this file does
 /// The other argument is the scene, a `Solver<...>` written out: C++ takes no other name for it here.
 #define IMBIBE_SCENE_FUNCTIONS(linkage, ...)                                                                           \
@@ -30,7 +30,7 @@
                                                    const imbibe::CheckpointNotes&);                                    \
     linkage template imbibe::CheckpointNotes imbibe::read_checkpoint(__VA_ARGS__&, const std::filesystem::path&)
 
-/// What adds the particles of a phase to a scene.
+/// The functions that add the particles of a phase to a scene.
 /// @param linkage as above @param Phase the phase
 /// The other argument is the scene, or a name of it.
 #define IMBIBE_PHASE_FUNCTIONS(linkage, Phase, ...)                                                                    \

@@ -8,7 +8,7 @@
 
 namespace imbibe::presets {
 
-/// What the paper's slab is described by.
+/// The parameters of the paper's slab.
 struct PaperSlab {
     double pore_radius = 1.5e-3;       ///< 0.5e-3, 1e-3, 1.5e-3 or 2e-3 in the paper, m
     double spacing = 0.5e-3;           ///< distance between sponge particles, m
@@ -19,10 +19,10 @@ struct PaperSlab {
 /// The slab as a shape: 35 mm along x, 7 mm a row along y, 4 mm thick along z, with 5 pores a row along x at a pitch of
 /// 7 mm, each row a whole period in y.
 ///
-/// The paper prints particle counts only; size, pitch and shape of the pores are read out of them (notes on the paper).
-/// The pores stand half a spacing off the middle in y: their centres are then midway between two particles in x and on
-/// a row of particles in y, no particle lies on a pore wall, and the counts come nearest to the paper's. The slab
-/// stays symmetric in x, and in y it is periodic, where a shift has no effect.
+/// The paper prints only particle counts; size, pitch and shape of the pores are derived from them (notes on the
+/// paper). The pores are half a spacing off the middle in y: their centres are then midway between two particles in x
+/// and on a row of particles in y, no particle lies on a pore wall, and the counts come nearest to the paper's. The
+/// slab stays symmetric in x; in y it is periodic, where a shift has no effect.
 ///
 /// Throws Error as PerforatedSlab does, or if rows is not from 1 to 1000.
 [[nodiscard]] inline PerforatedSlab<3> paper_slab(const PaperSlab& slab = {}) {
@@ -50,8 +50,7 @@ struct PaperSlab {
 ///
 /// A pitch of 7.25 mm with pores off by a quarter of a millimetre in one direction fits within 0.26 %, but then the
 /// slab has no period. The cells of the particles on the faces reach half a spacing beyond them: the mass of the 9
-/// layers is that of 4.5 mm, so for a mass of 4 mm give the particles 8/9 of density times spacing^3, or a lower
-/// density.
+/// layers is that of 4.5 mm. For a mass of 4 mm give the particles 8/9 of density times spacing^3, or a lower density.
 [[nodiscard]] inline std::vector<Point<3>> paper_slab_particles(const PaperSlab& slab = {}) {
     const PerforatedSlab<3> shape = paper_slab(slab);
     const double half = 0.5 * slab.spacing, reach = detail::on_the_face * slab.spacing;

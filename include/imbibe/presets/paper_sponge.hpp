@@ -1,4 +1,4 @@
-// The sponge by the method of the paper: K_f between water and solids, Tait's equation, Jaumann's stress rate.
+// The sponge scene by the paper's method: K_f between water and solids, Tait's equation, Jaumann's stress rate.
 #pragma once
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
@@ -21,13 +21,13 @@
 
 namespace imbibe::presets {
 
-/// The method of the paper, mended (the equations' misprints are listed in docs/paper.md).
+/// The method of the paper, with its misprints corrected (docs/paper.md lists them).
 ///
-/// Where the paper is silent: walls are particles of the water's kind that do not move, with the coupling of the
-/// sponge (pressure, viscosity and K_f); gamma = 7 for water and 1 for the sponge; alpha = 1; XSPH velocities in the
-/// gradients and the density of the sponge, not in its motion; artificial stress in principal axes, off by default
-/// (epsilon = 0), because with the spiky kernel it tears the stretched sponge apart; StaggeredLeapfrog, because with
-/// SymplecticEuler at the paper's step the block of water falls apart after 70 ms.
+/// Choices where the paper is silent: walls are fixed particles like the water's, with the coupling of the sponge
+/// (pressure, viscosity and K_f); gamma = 7 for water and 1 for the sponge; alpha = 1; XSPH velocities in the gradients
+/// and the density of the sponge, not in its motion; artificial stress in principal axes, off by default (epsilon = 0),
+/// because with the spiky kernel it tears the stretched sponge apart; StaggeredLeapfrog, because with SymplecticEuler
+/// at the paper's step the block of water falls apart after 70 ms.
 struct PaperSponge {
     static constexpr const char* name = "paper";
     struct Water : Fluid<Tait<7>, Continuity<Spiky>, SymmetricPressure<Spiky>, LaminarViscosity<ViscosityKernel>> {};
@@ -55,7 +55,7 @@ struct PaperSponge {
         if (c.search_interval == 0)
             c.search_interval = 100;
         if (c.search_skin == 0)
-            c.search_skin = 0.1;       // no pair may be missed: K_f acts hard at the very rim
+            c.search_skin = 0.1;       // no pair may be missed: K_f is strong even at the rim
         c.wall_gap = c.support_radius; // the distance at which K_f lets water come to rest
         Scene<Real> scene(c.settings(c.support_radius));
         scene.add(Water{{.density = 1000, .sound_speed = 30, .viscosity = c.viscosity}}, c.water(), c.water_spacing);
@@ -74,7 +74,7 @@ struct PaperSponge {
 
 } // namespace imbibe::presets
 
-/// What takes a compiler long of `PaperSponge::Scene<Real>` (compiled_scene.hpp).
+/// The parts of `PaperSponge::Scene<Real>` that take long to compile (compiled_scene.hpp).
 #define IMBIBE_PAPER_SPONGE_FUNCTIONS(linkage, Real)                                                                   \
     IMBIBE_SCENE_FUNCTIONS(                                                                                            \
         linkage, imbibe::Solver<3, Real, imbibe::StaggeredLeapfrog, imbibe::presets::PaperSponge::Water,               \

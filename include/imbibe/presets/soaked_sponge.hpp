@@ -1,5 +1,5 @@
-// A kitchen sponge whose pores are too small to resolve, cut through: it falls into a tray of water, drinks, is
-// squeezed by a plate and drinks again.
+// A cross-section of a kitchen sponge with unresolved pores: it falls into a tray of water, soaks up water, is squeezed
+// by a plate and soaks again.
 #pragma once
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
@@ -26,27 +26,27 @@ namespace imbibe::presets {
 
 /// The numbers of the scene, in SI units.
 struct SoakedSpongeCase {
-    double spacing = 1.5e-3;    ///< of the particles of all that there is, m; 0.5 to 3 mm
+    double spacing = 1.5e-3;    ///< of all particles, m; 0.5 to 3 mm
     double length = 90e-3;      ///< of the dry sponge, m
     double height = 30e-3;      ///< of the dry sponge, m
     double porosity = 0.9;      ///< of the dry sponge, without unit
     double permeability = 1e-9; ///< of the dry sponge, m^2
-    double suction = 400;       ///< by which dry pores draw water in, Pa: 2 sigma/r of a radius r of 0.36 mm
+    double suction = 400;       ///< suction of the dry pores, Pa: 2 sigma/r of a radius r of 0.36 mm
     double young_modulus = 2e4; ///< of the dry sponge, Pa
     double poisson_ratio = 0.2; ///< of the sponge, without unit
-    double density = 150;       ///< of the dry sponge in all of its volume, kg/m^3
-    double swelling = 0.05;     ///< the strain in each direction of a full sponge, without unit
-    double softening = 0.5;     ///< the share of its moduli that a full sponge loses, without unit
+    double density = 150;       ///< of the dry sponge per total volume, kg/m^3
+    double swelling = 0.05;     ///< the strain in each direction of a saturated sponge, without unit
+    double softening = 0.5;     ///< the share of its moduli that a saturated sponge loses, without unit
     double tray = 200e-3;       ///< the width of the tray, m
     double level = 12e-3;       ///< of the water at the start, m
-    double squeezed_to = 20e-3; ///< how high the plate leaves the sponge, m
-    double pressed_from = 3.5;  ///< when the plate starts down, s
-    double pressed_for = 1.5;   ///< how long it takes down, and up again, s
-    double released_at = 7;     ///< when it starts up, s
+    double squeezed_to = 20e-3; ///< height to which the plate squeezes the sponge, m
+    double pressed_from = 3.5;  ///< when the plate starts to move down, s
+    double pressed_for = 1.5;   ///< how long it moves down, and up again, s
+    double released_at = 7;     ///< when it starts to move up, s
     double viscosity = 1e-3;    ///< of the water, Pa s
     double sound_speed = 10;    ///< of the water, m/s: ten times its greatest speed
 
-    /// Throws Error for a number out of range, with what is allowed.
+    /// Throws Error for a number out of range, with the allowed range.
     void check() const {
         constexpr const char* who = "SoakedSpongeCase";
         const auto within = [&](double value, const char* name, double least, double most, const char* unit) {
@@ -72,8 +72,8 @@ struct SoakedSpongeCase {
     }
 };
 
-/// A kitchen sponge in a tray, by the mixture: SeepingFluid and PorousSkeleton, with WendlandC2 for a support of 3
-/// spacings. In the plane, for a metre of depth.
+/// A kitchen sponge in a tray, as a mixture: SeepingFluid and PorousSkeleton, with WendlandC2 for a support of 3
+/// spacings. In the plane, per metre of depth.
 struct SoakedSponge {
     /// The kernel of all terms.
     using K = WendlandC2;
@@ -98,13 +98,13 @@ struct SoakedSponge {
     /// A scene, and its phases.
     template <class Real>
     struct Run {
-        SoakedSpongeCase numbers;   ///< what it was made of
+        SoakedSpongeCase numbers;   ///< the parameters
         Scene<Real> scene;          ///< the scene
         PhaseHandle<Water> water;   ///< in the tray, and in the sponge
         PhaseHandle<Sponge> sponge; ///< the skeleton
         PhaseHandle<Plate> plate;   ///< above it
 
-        /// Goes on until the time t, s, while the plate moves.
+        /// Continues until the time t, s, while the plate moves.
         void run_until(double t) {
             const double begin = scene.time();
             const int parts = static_cast<int>(std::ceil((t - begin) / 0.01 - 1e-6));
@@ -116,7 +116,7 @@ struct SoakedSponge {
                 scene.run_until(to);
             }
         }
-        /// The mass of the water that is in the sponge, kg/m.
+        /// The mass of the water in the sponge, kg/m.
         double drunk() const {
             const auto all = scene[water];
             double sum = 0;
@@ -125,9 +125,9 @@ struct SoakedSponge {
                     sum += all[mass](i);
             return sum;
         }
-        /// That of all of the pores at the start, kg/m.
+        /// The mass of water that would fill all pores at the start, kg/m.
         double room() const { return 1000 * numbers.porosity * numbers.length * numbers.height; }
-        /// How high the sponge is in its middle, m.
+        /// The height of the sponge in its middle, m.
         double sponge_height() const {
             const auto x = scene[sponge][position];
             const auto X = scene[sponge][reference_position];
@@ -139,7 +139,7 @@ struct SoakedSponge {
                 }
             return high - low + numbers.spacing;
         }
-        /// By how much the sponge pushes the plate up, N/m.
+        /// The force of the sponge on the plate, upwards, N/m.
         double force() const { return double(scene[plate][reaction_force].col(1).sum()); }
     };
 
@@ -166,7 +166,7 @@ struct SoakedSponge {
         const KernelRepulsionParameters contact{.stiffness = 2 * c.young_modulus, .range = 1};
         scene.template coupling<OnTray>().set(contact);
         scene.template coupling<Pressed>().set(contact);
-        // Water does not hang at walls in drops.
+        // Keeps drops from hanging at walls.
         scene.template coupling<InTray>().set(PressureExtrapolationParameters{.suction = false});
         scene.template coupling<UnderPlate>().set(PressureExtrapolationParameters{.suction = false});
         start_hydrostatic(scene, run.water, c.level);

@@ -1,4 +1,4 @@
-// The sponge by schemes that are known to converge: the water of sound_water.hpp and a total-Lagrangian solid.
+// The sponge scene with convergent schemes: the water of sound_water.hpp and a total-Lagrangian solid.
 #pragma once
 
 #include <imbibe/methods/total_lagrangian_solid.hpp>
@@ -9,15 +9,15 @@
 
 namespace imbibe::presets {
 
-/// The scene of the paper with schemes that converge: `SoundWater`, to which the sponge is an obstacle as the walls are
-/// (Adami, Hu and Adams 2012) instead of K_f, which is left as a guard over less than a spacing, and a total-Lagrangian
-/// neo-Hookean sponge with corrected gradients and hourglass control. Sound speed: ten times the speed of the fall. The
+/// The scene of the paper with schemes that converge. The sponge is coupled to `SoundWater` like the walls (Adami, Hu
+/// and Adams 2012) instead of by K_f, which remains as a guard over less than a spacing. It is a total-Lagrangian
+/// neo-Hookean solid with corrected gradients and hourglass control. Sound speed: ten times the speed of the fall. The
 /// sponge has a support of its own, 2 spacings: with 2.6 a plate of ten layers swings 5 % too slowly, and costs twice
-/// as much. Its Young's modulus is made up for its few layers (bending_modulus).
+/// as much. Its Young's modulus is corrected for its few layers (bending_modulus).
 struct SoundSponge : SoundWater {
     static constexpr const char* name = "sound";
     struct Sponge : Solid<TotalLagrangianSolid<CompressibleNeoHookean, K>, TotalLagrangianViscosity<K>, Clamped> {};
-    /// To be given its coefficients by set_coefficients(), as Water and Sides.
+    /// Takes its coefficients from set_coefficients(), as Water and Sides.
     struct Contact : Coupling<Water, Sponge, Into<Sponge, PressureExtrapolation<K>>, VolumePressure<K>,
                               Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};
 
@@ -67,7 +67,7 @@ struct SoundSponge : SoundWater {
 
 } // namespace imbibe::presets
 
-/// What takes a compiler long of `SoundSponge::Scene<Real>` (compiled_scene.hpp).
+/// The parts of `SoundSponge::Scene<Real>` that take long to compile (compiled_scene.hpp).
 #define IMBIBE_SOUND_SPONGE_FUNCTIONS(linkage, Real)                                                                   \
     IMBIBE_SCENE_FUNCTIONS(                                                                                            \
         linkage, imbibe::Solver<3, Real, imbibe::SymplecticEuler, imbibe::presets::SoundSponge::Water,                 \

@@ -1,6 +1,6 @@
-// Water with a free surface in rigid walls, in the plane or in space, by schemes that are known to converge: dams that
-// break, tanks that slosh. A program that wants nothing else need not compose anything, and where CMake has linked it
-// with imbibe::presets it need not compile the scene either (docs/compile_time.md).
+// Water with a free surface in rigid walls, in two or three dimensions, with schemes that converge: dam breaks,
+// sloshing tanks. A program that needs nothing else composes no scene, and if CMake links it with imbibe::presets it
+// does not compile the scene either (docs/compile_time.md).
 #pragma once
 
 #include <imbibe/coupling/kernel_repulsion.hpp>
@@ -19,14 +19,14 @@
 namespace imbibe::presets {
 
 /// Weakly compressible water: Wendland C2, for a support of 2.6 spacings, density diffusion, the volume-based pressure,
-/// its viscosity and a little artificial one, and walls to which its pressure is continued (Adami, Hu and Adams 2012),
-/// with a guard over less than a spacing against what comes too near. Choose a sound speed of ten times the greatest
-/// speed. `examples/guides/from_a_preset.cpp` is a program with it; docs/stability.md says what it bears ("weakly
+/// its viscosity and a little artificial viscosity, and walls to which its pressure is extrapolated (Adami, Hu and
+/// Adams 2012), with a guard over less than a spacing against penetration. Choose a sound speed of ten times the
+/// greatest speed. `examples/guides/from_a_preset.cpp` is a program with it; docs/stability.md has its limits ("weakly
 /// compressible").
 struct SoundWater {
-    /// The kernel of all terms but the guard.
+    /// The kernel of all terms except the guard.
     using K = WendlandC2;
-    /// To be given its coefficients by set_coefficients(), as Sides.
+    /// Takes its coefficients from set_coefficients(), as Sides.
     struct Water
         : Fluid<LinearState, WeaklyCompressible<K>, MorrisViscosity<K>, MonaghanViscosity<K>, KernelRepulsion<Spiky>> {
     };
@@ -41,18 +41,19 @@ struct SoundWater {
     /// The coefficients of the scheme.
     static void set_coefficients(Water& water) {
         water.set(MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
-        // The tension that is left keeps water closed that spins, and drops together. It wets a sponge, with no more
-        // than capillarity has in such pores, but not the walls: single drops would hang at them.
+        // The remaining tension keeps spinning water closed, and drops together. It wets a sponge no more than
+        // capillarity does in such pores. The walls have none, or single drops would hang at them.
         water.set(DensityFloorParameters{.slack = 1e-3});
-        // Where jets and films are drawn out, particles come nearer to each other across them: without this a fifth of
-        // the water would be in pairs. Soft, so that it neither limits the step nor throws apart what starts near.
+        // In jets and films that are drawn out, particles approach each other across them: without this a fifth of the
+        // water would be in pairs. Soft, so that it neither limits the step nor throws apart particles that start near
+        // each other.
         water.set(KernelRepulsionParameters{.stiffness = 1e-3 * bulk_modulus(water), .range = 0.7});
     }
-    /// The same for water and what it meets, walls (Sides) or a solid: no suction, and a guard with which one layer of
-    /// wall particles holds a metre of water.
+    /// The same for water and its walls (Sides) or a solid: no suction, and a guard with which one layer of wall
+    /// particles holds a metre of water.
     static void set_coefficients(auto& contact, const Water& water) {
-        // Where suction is cut off, single particles would sink into the surface along which they slide, but for the
-        // guard.
+        // Without suction, single particles would sink into the surface along which they slide; the guard prevents
+        // that.
         contact.set(PressureExtrapolationParameters{.suction = false});
         contact.set(KernelRepulsionParameters{.stiffness = 0.005 * bulk_modulus(water), .range = 0.8});
     }
@@ -64,7 +65,7 @@ private:
 
 } // namespace imbibe::presets
 
-/// What takes a compiler long of `SoundWater::Scene<dim, Real>` (compiled_scene.hpp).
+/// The parts of `SoundWater::Scene<dim, Real>` that take long to compile (compiled_scene.hpp).
 #define IMBIBE_SOUND_WATER_FUNCTIONS(linkage, dim, Real)                                                               \
     IMBIBE_SCENE_FUNCTIONS(linkage,                                                                                    \
                            imbibe::Solver<dim, Real, imbibe::SymplecticEuler, imbibe::presets::SoundWater::Water,      \

@@ -1,4 +1,4 @@
-// How fine the sponge's scene is to be, by a word: the spacing and the support of its water, and what comes of it.
+// The resolution of the sponge scene by a word: the spacing and the support of its water, and the resulting accuracy.
 #pragma once
 
 #include <imbibe/presets/sponge_case.hpp>
@@ -21,8 +21,8 @@ struct SpongeAccuracy {
 inline constexpr std::array<SpongeAccuracy, 3> sponge_accuracies{
     {{"draft", 1.0e-3, 2.6, 0.18}, {"standard", 0.8e-3, 2.6, 0.14}, {"reference", 0.6e-3, 2.6, 0.10}}};
 
-/// Makes a case as fine as the word says, and returns what that is. On a strip, which is periodic, the spacing is the
-/// nearest that divides the period. Throws Error for a word that is none of sponge_accuracies.
+/// Sets the resolution of a case by a word, and returns its numbers. On a strip, which is periodic, the spacing is the
+/// nearest that divides the period. Throws Error for a word that is not in sponge_accuracies.
 inline const SpongeAccuracy& set_accuracy(SpongeCase& c, std::string_view name) {
     for (const SpongeAccuracy& known : sponge_accuracies)
         if (known.name == name) {

@@ -1,5 +1,5 @@
-// The scene of the paper in numbers and points: where its water, its sponge and its walls are. Which equations they
-// follow is said in presets/sponge.hpp.
+// The scene of the paper in numbers and points: the positions of water, sponge and walls. presets/sponge.hpp has the
+// equations.
 #pragma once
 
 #include <imbibe/geometry/box.hpp>
@@ -30,8 +30,8 @@ struct SpongeCase {
     double cfl = 0.75;               ///< share of the shortest time step limit that an adaptive step takes
     int search_interval = 0;         ///< steps between two searches for neighbours; 0: the composition's own choice
     double search_skin = 0;          ///< Settings::search_skin; 0: the composition's own choice
-    double drain = 30e-3;            ///< how far below the slab water leaves the scene, m
-    double freeboard = 0;            ///< how far the walls reach above the water, m; 0: as far as it is seen to splash
+    double drain = 30e-3;            ///< distance below the slab at which water leaves the scene, m
+    double freeboard = 0;            ///< height of the walls above the water, m; 0: as high as splashes reach
     bool strip = false;              ///< one row of pores, periodic in y, instead of five rows in a tank
     double pool = 0;     ///< m; above 0: water that fills the tank to this height instead of the paper's block
     double wall_gap = 0; ///< between a pool and the walls, m; `PaperSponge` needs a support radius (K_f)
@@ -39,24 +39,24 @@ struct SpongeCase {
 
     /// Rows of pores.
     int rows() const { return strip ? 1 : 5; }
-    /// Of the slab, along x, m.
+    /// Length of the slab, along x, m.
     double length() const { return 35e-3; }
-    /// Of the slab, along y, m.
+    /// Width of the slab, along y, m.
     double width() const { return rows() * 7e-3; }
-    /// Of the slab, m.
+    /// Thickness of the slab, m.
     double thickness() const { return 4e-3; }
-    /// The slab's particles stand for more than its 4 mm: they lie on both faces.
+    /// The slab's particles represent more than its 4 mm: they lie on both faces.
     double solid_layers() const { return thickness() / solid_spacing + 1; }
-    /// The lowest water, m.
+    /// The bottom of the water, m.
     double water_bottom() const { return thickness() + gap; }
     /// The paper's block: 31 x 31 x 71 particles.
     double block_height() const { return 71 * 0.8e-3; }
-    /// How far the walls reach above the water, m. The block slams down between them and climbs: drops were seen 120 mm
+    /// The height of the walls above the water, m. The block slams down between them and climbs: drops reach 120 mm
     /// above its top. A pool fills the tank already.
     double walls_above() const { return freeboard > 0 ? freeboard : pool > 0 ? 5e-3 : 120e-3; }
-    /// Of the block or the pool, m.
+    /// Height of the block or the pool, m.
     double water_height() const { return pool > 0 ? pool : block_height(); }
-    /// The greatest speed to be expected: a fall from the top of the water to where it leaves the scene, m/s.
+    /// The greatest expected speed: a fall from the top of the water to where it leaves the scene, m/s.
     double fall_speed() const { return std::sqrt(2 * gravity * (water_height() + water_bottom() + drain)); }
 
     /// Throws Error for a number out of range.
@@ -89,7 +89,7 @@ struct SpongeCase {
         require(pool >= 0 && pool < 1, "height of the pool = ", pool,
                 " m; it must be from 0 (the paper's block) to 1 m");
     }
-    /// Where the particles of the water are, m.
+    /// The positions of the water particles, m.
     std::vector<Point<3>> water() const {
         if (pool > 0 || strip) {
             const double across = strip ? 0 : wall_gap, low = water_bottom() - water_spacing / 2;
@@ -101,11 +101,11 @@ struct SpongeCase {
                      z = water_bottom() - water_spacing / 2;
         return fill(Box<3>{{x - side / 2, y - side / 2, z}, {x + side / 2, y + side / 2, z + height}}, water_spacing);
     }
-    /// Where the particles of the sponge are, m.
+    /// The positions of the sponge particles, m.
     std::vector<Point<3>> sponge() const { return paper_slab_particles(slab()); }
-    /// The numbers of its shape.
+    /// The parameters of its shape.
     PaperSlab slab() const { return {.pore_radius = pore_radius, .spacing = solid_spacing, .rows = rows()}; }
-    /// The walls around: the tank is as long and wide as the slab, open above and below.
+    /// The wall particles: the tank is as long and wide as the slab, open above and below.
     std::vector<Point<3>> vessel(double reach) const {
         const Box<3> inner{{0, 0, -drain}, {length(), width(), water_bottom() + water_height() + walls_above()}};
         const int layers = static_cast<int>(std::ceil(reach / water_spacing - 1e-9));

@@ -1,4 +1,4 @@
-// A sponge between two liquids that do not mix: one that drinks, and one whose pores hold an oil that water drives out.
+// A sponge between two immiscible liquids: one that soaks, or one from whose pores water displaces an oil.
 #pragma once
 
 #include <imbibe/methods/total_lagrangian_solid.hpp>
@@ -8,17 +8,17 @@
 
 namespace imbibe::presets {
 
-/// TwoLiquids and an elastic solid, to which both stick and which their interface meets at a given angle. The interface
+/// TwoLiquids and an elastic solid, with no-slip for both and a given contact angle of their interface. The interface
 /// pulls at the solid, and the liquids push it. Solid: total-Lagrangian, neo-Hookean, with corrected gradients,
 /// hourglass control and a viscosity that damps its sound.
 ///
-/// For pores from 8 spacings of the liquids on, and solid parts of at least a support radius, 3 spacings. The pressure
-/// of 1.5 sigma/spacing that both liquids are under bears on the solid too: with a bulk modulus of a hundred times
-/// that it is smaller by 1 % in volume.
+/// For pores of at least 8 spacings of the liquids, and solid parts of at least a support radius, 3 spacings. The
+/// background pressure of both liquids, 1.5 sigma/spacing, acts on the solid too: with a bulk modulus of a hundred
+/// times that its volume is smaller by 1 %.
 struct SpongeInTwoLiquids : TwoLiquids {
-    /// The solid. What is held of it, does not move (`scene.hold`).
+    /// The solid. Its held parts do not move (`scene.hold`).
     struct Sponge : Solid<TotalLagrangianSolid<CompressibleNeoHookean, K>, TotalLagrangianViscosity<K>, Clamped> {};
-    /// One with a Young's modulus, Pa, and a Poisson's ratio, and with a support of 2 of its spacings.
+    /// A sponge with a Young's modulus, Pa, and a Poisson's ratio, and with a support of 2 of its spacings.
     static Sponge elastic(double young, double poisson, double density, double spacing) {
         return {{.density = density,
                  .sound_speed = sound_speed_of(young, poisson, density),
@@ -35,7 +35,7 @@ struct SpongeInTwoLiquids : TwoLiquids {
                          Pores<Water>, Pores<Oil>>;
 
     using TwoLiquids::set_coefficients;
-    /// The coefficients of the couplings, after all was added: one contact angle with walls and sponge.
+    /// The coefficients of the couplings, set after everything was added: one contact angle with walls and sponge.
     static void set_coefficients(auto& scene, const Interface& interface) {
         TwoLiquids::set_coefficients(scene, interface);
         set_contact_angle<Pores>(scene, interface);

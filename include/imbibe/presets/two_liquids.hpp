@@ -1,5 +1,5 @@
-// Two liquids that do not mix, or a liquid and the gas around it, in rigid walls: drops, bubbles, layers, and one that
-// drives the other out of a channel. A program that wants nothing else need not compose anything.
+// Two immiscible liquids, or a liquid and a surrounding gas, in rigid walls: drops, bubbles, layers, displacement in a
+// channel. A program that needs nothing else composes no scene.
 #pragma once
 
 #include <imbibe/fluid/morris_viscosity.hpp>
@@ -16,20 +16,19 @@
 
 namespace imbibe::presets {
 
-/// Two liquids with the tension of their interface, by corrected gradients with WendlandC2, for a support of 3
-/// spacings, in walls to which both stick and which the interface meets at a given angle. They fill what they are in:
-/// there is no free surface. Both have the same spacing. Choose sound speeds that make rho c^2 of both the same, and c
-/// of the heavier one ten times the greatest speed.
+/// Two liquids with interface tension, by corrected gradients with WendlandC2, for a support of 3 spacings, in no-slip
+/// walls with a given contact angle. They fill their container: there is no free surface. Both have the same spacing.
+/// Choose sound speeds that make rho c^2 of both the same, and c of the heavier one ten times the greatest speed.
 ///
-/// For densities that differ by up to 10 (docs/validation.md, rising-bubble). With more the sound of the lighter one
-/// makes steps short.
+/// For density ratios up to 10 (docs/validation.md, rising-bubble). With more the sound of the lighter one makes steps
+/// short.
 struct TwoLiquids {
     /// The kernel of all terms.
     using K = WendlandC2;
-    /// What both are made of.
+    /// The terms of both.
     using Immiscible = Fluid<UnderPressure<LinearState>, CorrectedGradients<K>, Instead<DensityFloor>,
                              MorrisViscosity<K>, CapillaryFluid<K>>;
-    /// The one in which the contact angle is measured.
+    /// The liquid in which the contact angle is measured.
     struct Water : Immiscible {};
     /// The other one: an oil, or a gas.
     struct Oil : Immiscible {};
@@ -44,18 +43,18 @@ struct TwoLiquids {
     template <int dim, class Real>
     using Scene = Solver<dim, Real, SymplecticEuler, Water, Oil, Vessel, Between, Sides<Water>, Sides<Oil>>;
 
-    /// What there is to choose of the interface.
+    /// The parameters of the interface.
     struct Interface {
         double surface_tension = 0;                    ///< sigma, N/m
         double contact_angle = 0.5 * std::numbers::pi; ///< with the walls, rad, measured in the water
     };
 
-    /// The coefficients of a liquid, before it is added: a pressure of 1.5 sigma/spacing under both.
+    /// The coefficients of a liquid, set before it is added: a background pressure of 1.5 sigma/spacing for both.
     static void set_coefficients(auto& liquid, const Interface& interface, double spacing) {
         detail::require_positive(spacing, "TwoLiquids::set_coefficients", "spacing", "m");
         liquid.set(UnderPressureParameters{.background = 1.5 * interface.surface_tension / spacing});
     }
-    /// Those of the couplings, after all was added.
+    /// Those of the couplings, set after everything was added.
     static void set_coefficients(auto& scene, const Interface& interface) {
         scene.template coupling<Between>().set(
             InterfaceTensionParameters{.surface_tension = interface.surface_tension});

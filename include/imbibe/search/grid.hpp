@@ -1,6 +1,6 @@
-// A grid of cells over all particles: cells as wide as the support radius across, and an eighth of it along x, so
+// A grid of cells over all particles: cells are as wide as the support radius across, and an eighth of it along x, so
 // that the neighbours of a particle in one row of cells are one contiguous stretch of the sorted order. Where that
-// would be far too many cells, the grid is folded: it repeats like a wallpaper, so places far apart share a cell.
+// would be far too many cells, the grid is folded: it repeats periodically, so places far apart share a cell.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -17,7 +17,7 @@
 
 namespace imbibe::search {
 
-/// So many numbers behind the last particle's may be read, and must be there; what they are does not matter.
+/// The number of values behind the last particle's that may be read and must exist; their values do not matter.
 inline constexpr std::size_t read_beyond = 64;
 
 /// The coordinates of n particles: x[d][i], d < dim, with `read_beyond` numbers behind them.
@@ -27,14 +27,14 @@ struct Points {
     int n = 0;                                                  ///< how many points
 };
 
-/// Sides of the domain that are periodic: `length[d]` > 0 says so, and particles live in [lower, lower + length).
+/// Periodic sides of the domain: those with `length[d]` > 0; particles lie in [lower, lower + length).
 template <int dim>
 struct Periodic {
     /// Where a period begins and how long it is, m.
     std::array<double, static_cast<std::size_t>(dim)> lower{}, length{};
 };
 
-/// x moved by whole periods into [lower, lower + length), m. What is not a finite number does not become one.
+/// x moved by whole periods into [lower, lower + length), m. NaN and infinities stay non-finite.
 template <class Real>
 IMBIBE_PER_BUILD Real into_period(Real x, Real lower, Real length) {
     if (x >= lower && x < lower + length)
@@ -54,7 +54,7 @@ struct Bounds {
         lower.fill(1e300);
         upper.fill(-1e300);
     }
-    /// Is there no point in it?
+    /// Does it hold no point?
     bool empty() const { return !(lower[0] <= upper[0]); }
     /// Makes it hold the other box as well.
     void include(const Bounds& b) {
@@ -65,7 +65,7 @@ struct Bounds {
         if (not_finite < 0)
             not_finite = b.not_finite;
     }
-    /// Is there no point of one within `reach` of the other, judged by the boxes in the directions that do not repeat?
+    /// Are the boxes further apart than `reach`, in the directions that are not periodic?
     bool far_from(const Bounds& b, double reach, const Periodic<dim>& periodic = {}) const {
         if (empty() || b.empty())
             return true;
@@ -83,7 +83,7 @@ IMBIBE_PER_BUILD Bounds<dim> bounds_of(const Points<dim, Real>& points, int thre
         points.n, threads, Bounds<dim>{},
         [&](int begin, int end) {
             using T = Pack<Real, native_width<Real>>;
-            const T most(1e30); // a number that is none is not less
+            const T most(1e30); // so that NaN does not compare as less
             Bounds<dim> b;
             for (std::size_t d = 0; d < dim; ++d) {
                 const Real* x = points.x[d];
@@ -115,14 +115,15 @@ IMBIBE_PER_BUILD Bounds<dim> bounds_of(const Points<dim, Real>& points, int thre
         });
 }
 
-/// The cells, shared by all sets of points of a scene.
+/// The cells, shared by all point sets of a scene.
 template <int dim>
 class IMBIBE_PER_BUILD Grid {
 public:
-    /// Covers `bounds` with cells for neighbours within `support`. Memory is bounded for any extent: where the cells
-    /// would be more than about eight a particle, as when a few drops have flown far away, the longest directions are
-    /// folded. Who shares a cell from afar is told from a neighbour by the distance, like everyone else in it, so that
-    /// is slower only where many do. Periods are not folded: where one is too long, its cells are made larger.
+    /// Covers `bounds` with cells for neighbours within `support`. Memory is bounded for any extent: where there would
+    /// be more than about eight cells a particle, as when a few drops have flown far away, the longest directions are
+    /// folded. Distant particles that share a folded cell are rejected by their distance, like all others in it, so
+    /// folding is slower only where many do. Periodic directions are not folded: where a period is too long, its cells
+    /// are made larger.
     void fit(const Bounds<dim>& bounds, double support, const Periodic<dim>& periodic, long long particles) {
         periods = periodic;
         const double most = std::min(8.0 * static_cast<double>(particles) + 4096, 4e9); // cells are numbered in 32 bits
@@ -144,13 +145,13 @@ public:
                 cells *= std::floor(extent[d] / width[d]) + 1;
             if (cells <= most)
                 break;
-            std::size_t longest = 0; // of more than seven supports, since the cells are more than 4096
+            std::size_t longest = 0; // of those above seven supports, as the cells are more than 4096
             for (std::size_t d = 1; d < dim; ++d)
                 if (length(d) > length(longest))
                     longest = d;
             if (periodic.length[longest] > 0) {
                 width[longest] *= 2;
-            } else { // to four supports or more, and a power of two, which is the same for many steps of a flying drop
+            } else { // to at least four supports, a power of two: the same for many steps of a flying drop
                 const double n = std::ceil(std::min(extent[longest] / width[longest], farthest));
                 extent[longest] = width[longest] * (std::bit_ceil(static_cast<std::uint32_t>(n)) / 2);
                 folded_[longest] = true;
@@ -162,7 +163,7 @@ public:
                 width[d] = extent[d] / n_[d];
             } else if (folded_[d]) {
                 n_[d] = static_cast<int>(extent[d] / width[d]);
-                // Not from the lowest particle on, from which the others may be very far.
+                // Not from the lowest particle, from which the others may be very far.
                 low[d] = begin(std::clamp(0.0, bounds.lower[d], bounds.upper[d]), n_[d] * width[d]);
             } else {
                 n_[d] = static_cast<int>(std::floor(extent[d] / width[d])) + 1;
@@ -179,8 +180,8 @@ public:
     double lower(int d) const { return lower_[static_cast<std::size_t>(d)]; }
     /// The width of a cell along d, m.
     double width(int d) const { return width_[static_cast<std::size_t>(d)]; }
-    /// Does the first cell along d follow upon the last one? It does in a periodic direction, and in a folded one as if
-    /// its period had no length.
+    /// Is the first cell along d next to the last one? It is in a periodic direction, and in a folded one, which acts
+    /// like a period of length zero.
     bool wraps(int d) const { return wraps_[static_cast<std::size_t>(d)]; }
     /// The period along d, m; 0 where there is none.
     double length(int d) const { return periods.length[static_cast<std::size_t>(d)]; }
@@ -191,31 +192,31 @@ public:
             product *= static_cast<std::size_t>(k);
         return product;
     }
-    /// Is the grid folded along d, so that places n(d) cells from each other share a cell?
+    /// Is the grid folded along d, so that places n(d) cells apart share a cell?
     bool is_folded(int d) const { return folded_[static_cast<std::size_t>(d)]; }
-    /// The place `at` along d, in cells from the beginning of the grid, as that is folded: from 0 to n(d). What is so
-    /// far away that few digits are left for its place in a cell is moved nearer before. No two come further from each
-    /// other by that, so neighbours stay neighbours.
+    /// The place `at` along d, in cells from the beginning of the folded grid: from 0 to n(d). A place so far away that
+    /// few digits are left for its position in a cell is moved nearer first. This never increases distances, so
+    /// neighbours stay neighbours.
     [[gnu::cold]] double fold(int d, double at) const {
         if (!is_folded(d))
             return at;
         at = std::clamp(at, -farthest, farthest);
         return at - n(d) * std::floor(at / n(d));
     }
-    /// The cell of coordinate x along d; outside the grid, beyond its first or last one.
+    /// The cell of coordinate x along d; for x outside the grid, beyond its first or last one.
     int cell(int d, double x) const {
         return static_cast<int>(
             std::floor(fold(d, (x - lower_[static_cast<std::size_t>(d)]) * inverse_[static_cast<std::size_t>(d)])));
     }
-    /// The numbers of the cells of points [begin, end), to[i] for point i: rows along x, one after the other. Where a
-    /// point is outside the grid, that of the cell at its rim.
+    /// The numbers of the cells of points [begin, end), to[i] for point i: rows along x, one after the other. A point
+    /// outside the grid gets the cell at its rim.
     template <class Real>
     void find_cells(const Points<dim, Real>& points, int begin, int end, std::uint32_t* to) const {
-        const auto n = n_; // copies, which cannot change while `to` is written: so the loop is one of packs
+        const auto n = n_; // copies, which writing `to` cannot change, so that the loop is computed in packs
         const auto lower = lower_, inverse = inverse_;
         const auto x = points.x;
         const auto number = [&](const auto& folded) {
-            // Truncated, not rounded downwards: below the grid both come to cell 0, and processors do it in packs.
+            // Truncated, not rounded down: below the grid both give cell 0, and processors truncate in packs.
             const auto along = [&](std::size_t d, int i) {
                 const int c = static_cast<int>(folded(d, (static_cast<double>(x[d][i]) - lower[d]) * inverse[d]));
                 return static_cast<std::uint32_t>(c < 0 ? 0 : c < n[d] ? c : n[d] - 1);
@@ -234,8 +235,8 @@ public:
     }
 
 private:
-    // Cells are counted from a multiple of their width, so that sorted particles stay sorted when others move. Where a
-    // coordinate has no digits left for that, from the first particle.
+    // Cells are counted from a multiple of their width, so that sorted particles stay sorted when others move; from the
+    // first particle if a coordinate has no digits left for that.
     static double begin(double lower, double width) {
         return std::abs(lower) < 1e15 * width ? std::floor(lower / width) * width : lower;
     }
@@ -246,11 +247,11 @@ private:
     std::array<double, static_cast<std::size_t>(dim)> lower_{}, width_{}, inverse_{};
 };
 
-/// Where the particles of each cell stand in the sorted order of one set of points.
+/// The range of each cell in the sorted order of one point set.
 class IMBIBE_PER_BUILD CellTable {
 public:
     /// Counting sort by cell, stable. Afterwards `order()[k]` is the present index of the particle that belongs at k.
-    /// Returns whether the points are in that order already.
+    /// Returns whether the points are sorted already.
     template <int dim, class Real>
     bool sort(const Grid<dim>& grid, const Points<dim, Real>& points, int threads) {
         const std::size_t cells = grid.cells();

@@ -1,4 +1,4 @@
-// Neighbour search on its own, without phases, terms or a solver: for other codes, and for a look at one's particles.
+// Neighbour search on its own, without phases, terms or a solver: for other codes, and for looking at particles.
 //
 //   imbibe::search::NeighbourSearch<3, double> search(0.1);          // everything nearer than 0.1 m
 //   const int water = search.add(x);                                 // x: n rows, 3 columns
@@ -18,13 +18,13 @@ namespace imbibe::search {
 
 /// Finds all pairs of points nearer to each other than a support radius, in any number of point sets.
 ///
-/// Points may be added and moved; `update` then makes the search ready again, in O(n): a counting sort into cells.
-/// Memory is bounded whatever the extent, there is no cap on the number of neighbours, and with periodic sides a
-/// neighbour is found in every image within the support: once, if the period is at least twice the support. Every call
-/// of a const member may be made by several threads at a time.
+/// After points are added or moved, `update` makes the search ready again, in O(n): a counting sort into cells. Memory
+/// is bounded for any extent, the number of neighbours is not limited, and with periodic sides a neighbour is found in
+/// every image within the support: once, if the period is at least twice the support. Several threads may call const
+/// members at the same time.
 ///
-/// Order: the neighbours of a point come in the order of the cells, not in that of their numbers, and those that are
-/// seen through periodic images behind the others; it is the same for any number of threads.
+/// The neighbours of a point come in the order of the cells, not of their numbers, with those seen through periodic
+/// images last. The order is the same for any number of threads.
 /// @tparam dim 2 or 3
 /// @tparam Real float or double: of the coordinates, and of the comparison
 template <int dim, class Real>
@@ -34,7 +34,7 @@ public:
     using Positions =
         Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, dim, Eigen::ColMajor>, 0, Eigen::OuterStride<>>;
 
-    /// @param support the support radius, m, for all pairs of sets that do not get their own by `set_support`
+    /// @param support the support radius, m, for all pairs of sets without their own (`set_support`)
     /// @param periodic lower ends and lengths of the periodic sides, m; each length must be at least the support
     /// @param threads at most 1024; 0: all of the machine
     /// @throws Error for a support that is not above 0, a period shorter than it, or too many threads
@@ -52,7 +52,7 @@ public:
         move(number, x);
         return number;
     }
-    /// Gives the points of a set new places; their number may change. To be followed by `update`.
+    /// Moves the points of a set; their number may change. Call `update` afterwards.
     void move(int set, const Positions& x) {
         Set& s = at(set);
         const auto n = static_cast<std::size_t>(x.rows());

@@ -11,11 +11,11 @@ namespace imbibe::search {
 
 namespace detail {
 
-// Writes the runs of one particle's neighbours among at most 64 particles [begin, end) of the sorted order; at most one
-// run per `width` of them, and room for two more. Returns the place after the last one.
+// Writes the runs of one particle's neighbours among at most 64 particles [begin, end) of the sorted order: at most one
+// run per `width` of them, with room for two more. Returns the place after the last one.
 //
-// How many are near differs from row to row, and a branch on it would be mispredicted every other time. So a row of
-// the usual length is compared as a whole and its first runs are written whether they are there or not.
+// The number of neighbours differs from row to row, and a branch on it would be mispredicted every other time. So a row
+// of the usual length is compared as a whole, and its first runs are written whether they exist or not.
 template <int width, int dim, class Real>
 IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cast<std::size_t>(dim)>& sources,
                                const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2,
@@ -50,8 +50,8 @@ IMBIBE_INLINE Run* append_runs(Run* to, const std::array<const Real*, static_cas
     return to;
 }
 
-/// Writes the runs of one stretch of any length, 64 particles at a time; at most one for each `width` of them and one
-/// more, and room for two. Returns the place after the last one.
+/// Writes the runs of one stretch of any length, 64 particles at a time: at most one for each `width` of them and one
+/// more, with room for two. Returns the place after the last one.
 template <int width, int dim, class Real>
 Run* append_long_stretch(Run* to, const std::array<const Real*, static_cast<std::size_t>(dim)>& sources,
                          const Vector<Pack<Real, width>, dim>& at, Pack<Real, width> support2, std::uint32_t begin,
@@ -67,12 +67,12 @@ Run* append_long_stretch(Run* to, const std::array<const Real*, static_cast<std:
     return to;
 }
 
-/// Calls use(begin, end, image) for every stretch of particles within reach of particle k of `places`, and the periodic
-/// image that it is seen through, also where rows go on beyond their ends.
+/// Calls use(begin, end, image) for every stretch of particles within reach of particle k of `places`, with the
+/// periodic image through which it is seen, also where rows continue beyond their ends.
 template <int dim, class Use>
 void across_ends(const Grid<dim>& grid, const CellTable& table, const RowsAround<dim>& rows,
                  const PlacesInCells<dim>& places, std::size_t k, double support, const Use& use) {
-    for (const int part : {0, 2, 1}) // the domain itself, then what lies across its two ends along x
+    for (const int part : {0, 2, 1}) // the domain itself, then the images across its two ends along x
         for (std::size_t r = 0; r < rows.size; ++r) {
             const Row& row = rows.list[r];
             const int n = grid.n(0), by = part == 0 ? 0 : part == 2 ? n : -n;
@@ -97,7 +97,7 @@ public:
           support2(static_cast<Real>(support_radius * support_radius)), among_others(targets.x != sources.x),
           in_block(std::min(list.block_size(), targets.n - block * list.block_size())), nobody(support) {}
 
-    /// Those of targets [begin, end), at most PlacesInCells::most.
+    /// The runs of targets [begin, end), at most PlacesInCells::most.
     void find(int begin, int end) {
         const auto n = static_cast<std::size_t>(end - begin);
         std::array<const Real*, static_cast<std::size_t>(dim)> at;
@@ -117,7 +117,7 @@ public:
                 return std::pair(places.cell[1][i], dim == 3 ? places.cell[dim - 1][i] : 0);
             };
             const auto row = row_of(first);
-            while (k < n && row_of(k) == row) // sorted targets share their rows with the one before
+            while (k < n && row_of(k) == row) // sorted targets are often in the same row as the one before
                 ++k;
             if (row != last_row) {
                 rows = RowsAround<dim>(cells, table, row.first, row.second);
@@ -143,10 +143,10 @@ private:
     const CellTable& table;
     const double support; ///< in cells along x
     const Pack<Real, width> support2;
-    const bool among_others; ///< nobody is alone in his own set
+    const bool among_others; ///< no particle is alone in its own set
     const int in_block;      ///< how many targets
     std::size_t used = 0;    ///< of `runs`
-    int finished = 0;        ///< how many targets have theirs
+    int finished = 0;        ///< how many targets are done
     RowsAround<dim> rows;
     std::pair<int, int> last_row{-1000000000, 0};
     Nobody<dim> nobody;
@@ -154,7 +154,7 @@ private:
     CellsInReach<dim> in_reach;
     Real wrapped[static_cast<std::size_t>(dim)][PlacesInCells<dim>::most];
 
-    // Room for so many runs now, and for about as many as the whole block will have.
+    // Makes room for this many runs now, and for the estimated number of the whole block.
     void make_room(std::size_t needed) {
         if (finished < 64) {
             needed *= 2;
@@ -162,7 +162,7 @@ private:
             const double expected = 1.1 * static_cast<double>(used) * in_block / finished + static_cast<double>(room);
             needed = std::max(needed + needed / 10, static_cast<std::size_t>(expected));
         }
-        runs.reserve(needed); // resize alone would take twice what there was
+        runs.reserve(needed); // resize alone would double the capacity
         runs.resize(needed);
     }
 
@@ -204,12 +204,12 @@ private:
         }
         struct Stretch {
             std::uint32_t begin, end;
-        } stretches[RowsAround<dim>::most + 1]; // one is written that does not count
+        } stretches[RowsAround<dim>::most + 1]; // one more is written that does not count
         std::size_t count = 0;
         for (std::size_t r = 0; r < rows.size; ++r) {
             const Stretch s{table.start(in_reach.from[r][k]), table.start(in_reach.to[r][k])};
             stretches[count] = s;
-            count += s.begin < s.end; // without a branch: whether a row at the rim is reached is a matter of chance
+            count += s.begin < s.end; // without a branch: whether a row at the rim is reached is random
         }
         if (used + room > runs.size()) [[unlikely]]
             make_room(used + room);

@@ -1,4 +1,5 @@
-// Where the support of particles reaches in the rows of cells around them, of some particles at a time, in packs.
+// The range of cells that the support of particles covers in the rows around them, for several particles at a time, in
+// packs.
 #pragma once
 
 #include <imbibe/core/vector.hpp>
@@ -11,10 +12,10 @@ namespace imbibe::search::detail {
 /// Some particles as the grid sees them. Lengths are in cells along x.
 template <int dim>
 struct IMBIBE_PER_BUILD PlacesInCells {
-    static constexpr std::size_t most = 64;    ///< so many there are at most
-    static constexpr std::size_t padding = 16; ///< packs go on into it; what is there does not matter
+    static constexpr std::size_t most = 64;    ///< maximum number
+    static constexpr std::size_t padding = 16; ///< packs run on into it; its values do not matter
     std::int32_t cell[static_cast<std::size_t>(dim)][most + padding]{}; ///< the own cell by direction
-    float x[most + padding]{};                                          ///< where in that along x, from 0 to 1
+    float x[most + padding]{};                                          ///< position in that along x, from 0 to 1
     float below[2][most + padding]{}; ///< the squared distance to the rows below along y and z
     float above[2][most + padding]{}; ///< that to the rows above
 
@@ -46,14 +47,14 @@ struct IMBIBE_PER_BUILD PlacesInCells {
     }
 };
 
-/// The first and the last place along x that is within reach in a row, in cells along x from the own one's beginning.
-/// In float: the numbers are small, and what rounding could lose the slack gives back.
+/// The first and the last place within reach along x in a row, in cells along x from the beginning of the own cell. In
+/// float: the numbers are small, and the slack covers rounding.
 template <class T, int dim>
 class IMBIBE_PER_BUILD Reach {
 public:
-    static constexpr int before = 64; ///< is added, so that rounding towards zero is downwards
+    static constexpr int before = 64; ///< added, so that truncation rounds down
     T low;                            ///< with `before`
-    T high;                           ///< with `before`, and where the row is out of reach 0, which is below `low`
+    T high;                           ///< with `before`; 0 if the row is out of reach, which is below `low`
 
     /// @param support in cells along x
     IMBIBE_INLINE Reach(const PlacesInCells<dim>& places, std::size_t k, const Row& row, double support) {
@@ -69,8 +70,8 @@ public:
     }
 };
 
-/// The cells that particles [begin, end) of `places` reach in each of some rows: from[r][k] up to, not including,
-/// to[r][k], of the cell table. They share their rows, which have n cells.
+/// The cells that particles [begin, end) of `places` reach in each of several rows: from[r][k] up to, not including,
+/// to[r][k], of the cell table. The particles share their rows, which have n cells.
 template <int dim>
 struct IMBIBE_PER_BUILD CellsInReach {
     static constexpr std::size_t room = PlacesInCells<dim>::most + PlacesInCells<dim>::padding;

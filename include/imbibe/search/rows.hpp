@@ -1,5 +1,4 @@
-// The rows of cells around a particle's own that hold somebody, through periodic sides too, and where along them there
-// is nobody.
+// The non-empty rows of cells around a particle's own, also through periodic sides, and the empty stretches along them.
 #pragma once
 
 #include <imbibe/search/grid.hpp>
@@ -11,7 +10,7 @@
 
 namespace imbibe::search {
 
-/// The number of periodic images that can be seen: -1, 0, +1 period in each direction. Image 0 is the domain itself.
+/// The number of visible periodic images: -1, 0, +1 period in each direction. Image 0 is the domain itself.
 template <int dim>
 inline constexpr int image_count = dim == 2 ? 9 : 27;
 
@@ -31,11 +30,11 @@ struct Row {
     int image;                ///< the periodic image it is seen through
 };
 
-/// The rows around one row, itself included, that hold somebody, in the order of the sorted particles, those that are
-/// seen through periodic images behind the others.
+/// The non-empty rows around one row, itself included, in the order of the sorted particles, those seen through
+/// periodic images last.
 template <int dim>
 struct IMBIBE_PER_BUILD RowsAround {
-    static constexpr std::size_t most = dim == 3 ? 9 : 3; ///< so many there are at most
+    static constexpr std::size_t most = dim == 3 ? 9 : 3; ///< maximum number
     std::array<Row, most> list;
     std::size_t size = 0;
     bool shifted = false; ///< is one of them seen through a periodic image?
@@ -43,7 +42,7 @@ struct IMBIBE_PER_BUILD RowsAround {
     RowsAround() = default;
     /// The rows around row (y, z) of a grid.
     RowsAround(const Grid<dim>& grid, const CellTable& table, int y, int z) {
-        // The cell c of direction d and the digit of its periodic image; -1 where there is none.
+        // The cell c of direction d and the digit of its periodic image; -1 if there is none.
         const auto around = [&](int d, int c, int& digit) {
             digit = 0;
             const int n = grid.n(d);
@@ -72,11 +71,11 @@ struct IMBIBE_PER_BUILD RowsAround {
                 list[size++] = {row * n, step_y, step_z, image};
                 shifted = shifted || image != 0;
             }
-        if (shifted) // those that are seen through none come first: so will their runs
+        if (shifted) // rows without an image come first, and so will their runs
             std::stable_partition(list.begin(), list.begin() + size, [](const Row& row) { return row.image == 0; });
     }
 
-    /// Do the cells from `low` up to, not including, `high` along x hold nothing in any row of n cells?
+    /// Are the cells from `low` up to, not including, `high` along x empty in all rows, of n cells each?
     bool are_empty(const CellTable& table, int n, int low, int high) const {
         const auto from = static_cast<std::uint32_t>(std::clamp(low, 0, n)),
                    to = static_cast<std::uint32_t>(std::clamp(high, 0, n));
@@ -86,18 +85,18 @@ struct IMBIBE_PER_BUILD RowsAround {
     }
 };
 
-/// Where along x the rows around hold nobody within reach. Most particles of a wall find so in the water, and most of
-/// the water in the wall; sorted by cells they find it together.
+/// The stretch along x in which no particle of the rows around is within reach. This holds for most wall particles and
+/// the water, and for most of the water and the wall; sorted by cells, they share one check.
 template <int dim>
 class IMBIBE_PER_BUILD Nobody {
 public:
     /// @param support in cells along x
     explicit Nobody(double support) : reach(static_cast<int>(std::ceil(support)) + 2) {}
 
-    /// For other rows.
+    /// Resets it for other rows.
     void forget() { end = begin; }
 
-    /// Is nobody within reach of a particle in cell `own`, counted along x? False where that is not certain.
+    /// Is certainly no particle within reach of a particle in cell `own`, counted along x?
     bool is_near(const Grid<dim>& grid, const CellTable& table, const RowsAround<dim>& rows, int own) {
         constexpr int asked_at_once = 4; // half a support
         if (own < begin || own >= end) {
@@ -110,7 +109,7 @@ public:
     }
 
 private:
-    int reach, begin = 0, end = 0; ///< the cells along x that were asked for
+    int reach, begin = 0, end = 0; ///< the cells along x that were checked
     bool certain = false;
 };
 

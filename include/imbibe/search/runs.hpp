@@ -1,5 +1,5 @@
-// The neighbours of every particle as *runs*: stretches of at most one SIMD width of consecutive particles in the
-// order sorted by cell. A pair loop loads a run with one plain load per number and masks what is beyond its count.
+// The neighbours of every particle as *runs*: stretches of at most one SIMD width of consecutive particles in the order
+// sorted by cell. A pair loop loads a run with one plain load per number and masks the lanes beyond its count.
 #pragma once
 
 #include <imbibe/core/build_options.hpp>
@@ -12,19 +12,19 @@
 
 namespace imbibe::search {
 
-/// One to 16 consecutive neighbours, or a mark behind runs that are seen through a periodic image, in 4 bytes: lists
-/// are most of what a step moves through memory.
+/// One to 16 consecutive neighbours, or a mark behind runs that are seen through a periodic image, in 4 bytes, because
+/// lists are most of a step's memory traffic.
 ///
-/// A particle that sees nobody through an image has its runs and no mark. Else those that are seen through none come
-/// first, and behind all that are seen through the same image stands its mark (image 0: none).
+/// A particle without neighbours through images has its runs and no mark. Otherwise the runs seen through no image come
+/// first, and after all runs seen through the same image stands its mark (image 0: none).
 class Run {
 public:
-    /// A run has no more neighbours.
+    /// The greatest number of neighbours in a run.
     static constexpr std::uint32_t most_neighbours = 16;
-    /// Nor has a phase more particles: in 28 bits there is room for so many numbers and the 27 marks.
+    /// The greatest number of particles in a phase: 28 bits hold their numbers and the 27 marks.
     static constexpr std::uint32_t most_particles = (std::uint32_t{1} << 28) - 27;
 
-    /// To be written.
+    /// Uninitialised.
     Run() = default;
     /// `count` neighbours from `first` on, which is below `most_particles`.
     Run(std::uint32_t first, std::uint32_t count) : bits(first - (count << 28)) {}
@@ -35,13 +35,13 @@ public:
     std::size_t first() const { return bits & ~(~std::uint32_t{0} << 28); }
     /// How many there are.
     std::size_t count() const { return most_neighbours - std::size_t{bits >> 28}; }
-    /// Is it no run?
+    /// Is it a mark?
     bool is_mark() const { return bits >= mark_of(0).bits; }
     /// The periodic image of a mark.
     int image() const { return static_cast<int>(bits - mark_of(0).bits); }
-    /// The next mark, or this if it is one. A call of a pure function: with the loop in its place, g++ would not know
-    /// that what comes behind is ever reached, and no longer compute before the loop over particles what is the same
-    /// for all.
+    /// The next mark, or this one if it is a mark. A call of a pure function: with the loop inlined, g++ would not know
+    /// that the code behind it is ever reached, and would no longer hoist loop-invariant values out of the loop over
+    /// particles.
     [[gnu::pure, gnu::noinline]] const Run* mark() const {
         const Run* run = this;
         while (!run->is_mark())
@@ -52,20 +52,20 @@ public:
     friend bool operator==(Run, Run) = default;
 
 private:
-    std::uint32_t bits; ///< in the upper four, how many neighbours are missing to 16; below them the first
+    std::uint32_t bits; ///< in the upper four bits, 16 less the number of neighbours; below them the first
 };
 
-/// The runs of all particles of one phase in one other (or the same) phase. Kept in blocks of particles so that
-/// threads build and read them independently. Memory is reused from step to step, but where particles become so many
-/// more or fewer that blocks of another size are better.
+/// The runs of all particles of one phase in another (or the same) phase. Kept in blocks of particles so that threads
+/// build and read them independently. Memory is reused from step to step, unless the number of particles changes so
+/// much that another block size is better.
 class IMBIBE_PER_BUILD RunList {
 public:
     /// The runs of one block of particles.
     using Block = AlignedVector<Run>;
-    /// Every block begins at a multiple of so many particles.
+    /// Every block begins at a multiple of this number of particles.
     static constexpr int smallest_block = 256;
 
-    /// The runs and marks of one particle. To loop over it comes upon the marks too; `for_each` does not.
+    /// The runs and marks of one particle. A plain loop over it sees the marks too; `for_each` does not.
     struct Range {
         /// The first.
         const Run* begin_;
@@ -79,7 +79,7 @@ public:
         bool is_empty() const { return begin_ == end_; }
 
         /// Calls use(begin, end, image) for the runs from `begin` to `end` that are seen through one periodic image,
-        /// for every image through which some are seen. There must be a run.
+        /// for every image with runs. There must be a run.
         template <class Use>
         IMBIBE_INLINE void for_each_image(const Use& use) const {
             const bool marked = end_[-1].is_mark();
@@ -101,9 +101,9 @@ public:
         }
     };
 
-    /// Makes room for n particles. A block keeps the memory it once had; how much of it is used, `finish` says.
+    /// Makes room for n particles. A block keeps its memory; `finish` says how much of it is used.
     /// @param n how many particles
-    /// @param threads how many will share the blocks: 8 blocks for each, at least, of more than `smallest_block`
+    /// @param threads how many will share the blocks: at least 8 blocks for each, of more than `smallest_block`
     void resize(int n, int threads) {
         // The longer a block is, the fewer pages of memory it lies in.
         const int enough = threads > 8 ? 8 * threads : 64, now = n / block_size();
@@ -116,7 +116,7 @@ public:
         }
         resize_in_blocks(n);
     }
-    /// No particle has a neighbour.
+    /// Makes lists without neighbours for n particles.
     void clear_all(int n) {
         resize_in_blocks(n);
         for (auto& e : ends)

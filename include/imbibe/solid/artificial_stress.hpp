@@ -76,16 +76,17 @@ struct PrincipalAxes {
 /// A repulsion that grows as two particles of a stretched solid come closer than their initial spacing: the cure of
 /// the tensile instability of StressForce.
 ///
-/// `Axes` says where tension is looked for: in PrincipalAxes (the default, after Gray, Monaghan and Swift; objective)
-/// or ComponentWise in the scene's axes, as the paper prints Eq. (17), where the result depends on how the axes lie.
+/// `Axes` is where tension is looked for: in PrincipalAxes (the default, after Gray, Monaghan and Swift; objective), or
+/// ComponentWise in the scene's axes, as the paper prints Eq. (17), where the result depends on the orientation of the
+/// axes.
 ///
 /// Choose `FactorKernel` with care: with Spiky and n = 4 the factor is the 12th power of the distance to the rim. With
-/// a spacing of half the support it is 32 at two thirds of the spacing and 4096 at contact: it blows a stretched
-/// sponge apart. A broad bell is gentler: Poly6 gives 8 and 32, CubicSpline 24 and 256. The spacing must be smaller
-/// than the support radius.
+/// a spacing of half the support it is 32 at two thirds of the spacing and 4096 at contact, and a stretched sponge
+/// blows apart. A broad bell is gentler: Poly6 gives 8 and 32, CubicSpline 24 and 256. The spacing must be smaller than
+/// the support radius.
 ///
-/// Not for fluids and not for total-Lagrangian solids, which have no tensile instability. Where the solid is not in
-/// strong tension epsilon = 0 is the better solid.
+/// Not for fluids and not for total-Lagrangian solids, which have no tensile instability. Without strong tension
+/// epsilon = 0 is more accurate.
 ///
 /// Source: Monaghan (2000); Gray, Monaghan and Swift (2001); the paper, Eqs. (15), (17) and (18).
 template <class Kernel, class Axes = PrincipalAxes, class FactorKernel = Kernel, int n = 4>
@@ -101,7 +102,7 @@ struct ArtificialStress {
             using A = std::remove_cvref_t<decltype(a)>;
             const auto unit = symmetric_identity<typename A::Scalar, A::dimension>();
             const auto sigma = a[deviatoric_stress] - a[pressure] * unit;
-            if (parameters.epsilon == 0) // finding principal axes takes longer than everything else here
+            if (parameters.epsilon == 0) // finding principal axes takes longer than all the rest here
                 return 0.0 * sigma;
             return -parameters.epsilon / sq(a[density]) * Axes::tension(sigma);
         }
@@ -122,7 +123,7 @@ struct ArtificialStress {
     };
     using parts = Parts<Prepare, Push>;
 
-    /// Throws Error where the factor has no kernel to be measured by.
+    /// Throws Error if the spacing is not below the support radius, so that the factor has no reference value.
     static void check(const auto& material, std::string_view where) {
         require(material.spacing < material.support_radius, where, ": the artificial stress compares with the kernel at "
                 "the particle spacing, ", material.spacing, " m; that must be below the support radius, ",

@@ -1,4 +1,4 @@
-// The Young's modulus with which a plate of a few layers of particles bends as it should.
+// The Young's modulus that corrects the bending stiffness of a plate of a few layers of particles.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -7,15 +7,15 @@
 
 namespace imbibe {
 
-/// E/(1 - 1/n^2), Pa: the Young's modulus to give a plate that is n layers of particles thick, so that it bends as one
-/// of Young's modulus E.
+/// E/(1 - 1/n^2), Pa: the Young's modulus for a plate n layers of particles thick, with which it bends like one of
+/// Young's modulus E.
 ///
-/// The energy of bending is summed over the layers, sum_k y_k^2 dy, which is H^3/12 (1 - 1/n^2): no particle knows how
-/// the strain changes within it. So a plate of 3, 5, 10 layers is too soft in bending by 11, 4 and 1 %. How far the beam
-/// of Turek and Hron hangs with and without is in docs/validation.md.
+/// The energy of bending is summed over the layers, sum_k y_k^2 dy, which is H^3/12 (1 - 1/n^2): the variation of the
+/// strain within a particle is missing. So a plate of 3, 5, 10 layers is too soft in bending by 11, 4 and 1 %.
+/// docs/validation.md has the sag of the beam of Turek and Hron with and without it.
 ///
-/// Not for what is stretched or compressed more than bent: that comes out too stiff by as much. It does not make up for
-/// what a support of more than 1.5 spacings softens (solid/total_lagrangian.hpp).
+/// Not for bodies that are stretched or compressed more than bent: they come out too stiff by as much. It does not
+/// correct the softening by a support of more than 1.5 spacings (solid/total_lagrangian.hpp).
 ///
 /// Source: own; the second moment of n layers against that of the plate.
 ///

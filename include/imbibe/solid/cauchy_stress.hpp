@@ -5,14 +5,14 @@
 
 namespace imbibe {
 
-/// Cauchy stress sigma, Pa: force per area as they are now; tension is positive.
+/// Cauchy stress sigma, Pa: force per present area; tension is positive.
 struct CauchyStressField : Field<Rank::symmetric_tensor> {
     static constexpr std::string_view name = "cauchy_stress", unit = "Pa";
 };
 inline constexpr CauchyStressField cauchy_stress{};
 
-/// sigma = P F^T / J, J = det F, in Pa. No other term reads it: list it when it is to be looked at. Not for a solid
-/// with a stress rate, whose stress it is already.
+/// sigma = P F^T / J, J = det F, in Pa. No other term reads it: list it for output. Not for a solid with a stress rate,
+/// whose stress it is already.
 ///
 /// Source: any textbook of continuum mechanics, for instance Holzapfel (2000).
 struct CauchyStress {

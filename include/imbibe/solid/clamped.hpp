@@ -1,19 +1,19 @@
-// Lets a phase have particles that are held where they are.
+// Lets particles of a phase be held in place.
 #pragma once
 
 #include <imbibe/core/term.hpp>
 
 namespace imbibe {
 
-/// Gives every particle of a phase a mobility: 1 moves freely, 0 is held (set by `Solver::hold`; a program that sets it
-/// to 1 by `scene[phase][mobility]` lets go again). A held particle takes part in all sums and has its state advanced,
-/// only its velocity and position stay. What pulls at it is an external force.
+/// Gives every particle of a phase a mobility: 1 moves freely, 0 is held (set by `Solver::hold`; a program releases it
+/// by setting `scene[phase][mobility]` to 1). A held particle takes part in all sums and its state is advanced; only
+/// its velocity and position stay.
 ///
-/// What holds the particles bears F = - sum_a m_a dv_a/dt over those held, N (N/m in 2D), their weight included, with
-/// `acceleration` as the last evaluation left it: a held particle has one, and does not follow it.
+/// The support of the held particles bears F = - sum_a m_a dv_a/dt over those held, N (N/m in 2D), their weight
+/// included. `acceleration` has the value of the last evaluation, which a held particle does not follow.
 ///
-/// A program may move them, as the grips of a testing machine or a foot that is shaken: in every step it writes their
-/// positions and their velocities, as it does with a wall. Not for holding a particle in one direction only.
+/// A program may move held particles, as the grips of a testing machine or a shaken foot: in every step it writes their
+/// positions and their velocities, as for a wall. Not for holding a particle in one direction only.
 ///
 /// Source: the boundary condition of prescribed displacements, zero.
 struct Clamped {

@@ -17,16 +17,15 @@ namespace imbibe {
 /// dv_i/dx_j = - sum_b (m_b/rho_b) (v_a - v_b)_i (L_a grad_a W_ab)_j, in 1/s, with L of CurrentCorrection, which must
 /// stand beside it. Component (i, j) is dv_i/dx_j.
 ///
-/// In place of VelocityGradient: exact for a velocity that is linear in space, to rounding, wherever the particles are
-/// and at free surfaces. A block of a square lattice with a support of 2.6 spacings, in simple shear, should have S_xy
-/// = G sin(g) by JaumannStress at the shear g. With VelocityGradient it is off by 1.5 % of G inside at g = 1 and by 8.1
-/// % at g = pi, at the surface by up to 63 % and 105 %; with this one only at the acute corners, which are drawn out to
-/// threads (tests/terms/test_corrected_solid.cpp): a gradient is not exact where L is not full, at a particle that has
-/// not neighbours in all directions (see CurrentCorrection).
+/// In place of VelocityGradient: exact to rounding for a velocity that is linear in space, for any arrangement of the
+/// particles and at free surfaces. A block of a square lattice with a support of 2.6 spacings, in simple shear, should
+/// have S_xy = G sin(g) by JaumannStress at the shear g. With VelocityGradient it is off inside by 1.5 % of G at g = 1
+/// and by 8.1 % at g = pi, at the surface by up to 63 % and 105 %. With this term only the acute corners are off, which
+/// are drawn out to threads (tests/terms/test_corrected_solid.cpp): a gradient is not exact where L is not full, at a
+/// particle without neighbours in all directions (see CurrentCorrection).
 ///
-/// With CorrectedStressForce and CorrectedContinuity. Not with StressForce, which is not its counterpart: energy comes
-/// in from nowhere, 6.7 % within ten periods of a bar that swings along itself, and no less with steps half as long
-/// (the same test).
+/// With CorrectedStressForce and CorrectedContinuity. Not with StressForce, which is not its counterpart: energy grows,
+/// by 6.7 % within ten periods of a bar that swings along itself, and no less with steps half as long (the same test).
 ///
 /// Source: Randles and Libersky (1996); Bonet and Lok (1999).
 template <class Kernel = WendlandC2, auto velocity_field = velocity>
@@ -51,16 +50,16 @@ inline constexpr CorrectedStress corrected_stress{};
 /// dv_a/dt = 1/m_a sum_b V_a V_b (sigma_a L_a + sigma_b L_b) grad_a W_ab, in m/s^2, with the volumes V = m/rho, the
 /// Cauchy stress sigma = S - p 1 (tension is positive) and L of CurrentCorrection, which must stand beside it.
 ///
-/// In place of StressForce, with CorrectedVelocityGradient and CorrectedContinuity: the force that does as much work as
-/// they count strain (virtual work), so energy is lost to no one. Forces of a pair are equal and opposite, to the last
-/// bit where the masses are equal; they are not along the line of centres, and angular momentum is conserved
-/// nevertheless, where L is the full inverse. A free bar, ten particles across with a support of 2.6 spacings, swings
-/// along itself with a period that is 0.6 % longer than that of a thin one, and keeps its energy to 0.1 % in ten
-/// periods; with VelocityGradient and StressForce the period is 7.6 % longer (tests/terms/test_corrected_solid.cpp).
+/// Use it in place of StressForce, with CorrectedVelocityGradient and CorrectedContinuity: the force that does as much
+/// work as they count strain (virtual work), so energy is conserved. Forces of a pair are equal and opposite, to the
+/// last bit where the masses are equal. They are not along the line of centres, but angular momentum is conserved where
+/// L is the full inverse. A free bar, ten particles across with a support of 2.6 spacings, swings along itself with a
+/// period that is 0.6 % longer than that of a thin one, and keeps its energy to 0.1 % in ten periods; with
+/// VelocityGradient and StressForce the period is 7.6 % longer (tests/terms/test_corrected_solid.cpp).
 ///
 /// Not without ArtificialStress where the solid is stretched: tension makes the particles clump. Not for long or large
-/// motions either, for which see JaumannStress: a total-Lagrangian solid has these gradients as well, from neighbours
-/// that do not change.
+/// motions (see JaumannStress): a total-Lagrangian solid has corrected gradients too, from neighbours that do not
+/// change.
 ///
 /// Source: Bonet and Lok (1999), the form that follows from virtual work, as CorrectedPressure.
 template <class Kernel = WendlandC2>

@@ -15,10 +15,10 @@ inline constexpr RawDisplacementGradient raw_displacement_gradient{};
 /// F_a = 1 + [sum_b V_b (u_b - u_a) (x) grad_a W_ab] L_a, with the displacement u = x - X, the stress-free volumes
 /// V = m/rho_0 and the correction L of ReferenceCorrection. Neighbours and kernel are those of the stress-free solid.
 ///
-/// With the full correction this is the same as sum_b V_b (x_b - x_a) (x) L_a grad_a W_ab, and exact for every affine
-/// motion. Where the correction is not full, an undeformed solid is still undeformed.
+/// With the full correction this equals sum_b V_b (x_b - x_a) (x) L_a grad_a W_ab, and is exact for every affine
+/// motion. Where the correction is not full, an undeformed solid still has F = 1.
 ///
-/// Not for solids that flow, or break: the neighbours stay what they were.
+/// Not for solids that flow or break: the neighbours never change.
 ///
 /// Source: Bonet and Kulasegaram (2002); Vignjevic, Reveles and Campbell (2006).
 template <class Kernel = WendlandC2>

@@ -1,4 +1,4 @@
-// What a total-Lagrangian solid stores by its deformation.
+// The energy that a total-Lagrangian solid stores by its deformation.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -7,10 +7,10 @@
 namespace imbibe {
 
 /// s V psi(F) of a particle, J, with its stress share s (ReferenceCorrection), its stress-free volume V and the energy
-/// density psi of the law; 0 for a particle whose deformation was not computed yet. A reduction of the laws of
+/// density psi of the law; 0 before the first evaluation of its deformation. A reduction of the laws of
 /// total-Lagrangian solids.
 ///
-/// Not with the energy of HourglassControl, which is its own.
+/// Not with the energy of HourglassControl, which is stored in addition.
 ///
 /// Source: that of the law.
 /// @tparam Law with `static double stored_energy(const auto& material, const Tensor<double, dim>& F)`, J/m^3

@@ -1,4 +1,4 @@
-// Steps that are as short as a solid's stiffness at great strains asks for.
+// The time step limit of a solid at large strains.
 #pragma once
 
 #include <imbibe/solid/deformation_gradient.hpp>
@@ -15,20 +15,20 @@ struct WaveStiffening : Field<Rank::scalar> {
 };
 inline constexpr WaveStiffening wave_stiffening{};
 
-/// A hyperelastic law with the limit on the step of its stiffness at the present strain,
-/// `FiniteStrainLimit<CompressibleNeoHookean>` in place of `CompressibleNeoHookean`: the law's own limit with the speed
-/// of waves c = c_0 sqrt(s), s the greatest `Law::wave_stiffening` of the last step in the phase, at least 1 (and 1
-/// before the first step).
+/// A hyperelastic law with the time step limit of its stiffness at the present strain:
+/// `FiniteStrainLimit<CompressibleNeoHookean>` in place of `CompressibleNeoHookean`. It is the law's own limit with the
+/// wave speed c = c_0 sqrt(s), where s is the greatest `Law::wave_stiffening` of the last step in the phase, at least 1
+/// (and 1 before the first step).
 ///
-/// For bodies that are held, or rest, at great strains: squeezed to a half and less, or stretched to the double. A
-/// neo-Hookean block with held edges bears 1.9 times the limit of CompressibleNeoHookean undeformed, 0.91 times
-/// squeezed to 0.35 of its length both ways, 0.66 times squeezed to 0.25, and 1.9 times this limit at any of these
-/// strains (tests/terms/test_finite_strain_limit.cpp).
+/// For bodies held or at rest at large strains: squeezed to a half and less, or stretched to the double. A neo-Hookean
+/// block with held edges is stable up to 1.9 times the limit of CompressibleNeoHookean undeformed, 0.91 times squeezed
+/// to 0.35 of its length both ways, 0.66 times squeezed to 0.25, and 1.9 times this limit at any of these strains
+/// (tests/terms/test_finite_strain_limit.cpp).
 ///
-/// Not for small strains, where it changes nothing: it costs a number per particle and a look at all of them in each
-/// step. Not for what is thin: the limit "corrected gradients" does not know of it.
+/// Not for small strains, where it changes nothing and costs a number per particle and a pass over all of them in each
+/// step. Not for thin bodies: the limit "corrected gradients" does not include it.
 ///
-/// @tparam Law CompressibleNeoHookean, IsochoricNeoHookean, StVenantKirchhoff, VolumetricDeviatoric, or one of your own
+/// @tparam Law CompressibleNeoHookean, IsochoricNeoHookean, StVenantKirchhoff, VolumetricDeviatoric, or a user's law
 /// with `static T wave_stiffening(const auto& material, const Tensor<T, dim>& F)`
 ///
 /// Source: waves of small amplitude in a strained solid are those of its acoustic tensor: Truesdell and Noll (1965).
@@ -52,7 +52,7 @@ struct FiniteStrainLimit : Law {
         double operator()(const auto& a) const { return a[wave_stiffening]; }
     };
     using reductions = detail::Concat<typename detail::ReductionsOf<Law>::type, Parts<Stiffest>>;
-    /// As said above, s.
+    /// The limit described above, s.
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return detail::elastic_wave_limit(material, in, 1, std::max(in.greatest, 1.0));
     }

@@ -22,16 +22,16 @@ constexpr double lame_lambda(const auto& material) {
 }
 
 // The time a longitudinal wave takes across a particle, or less: corrected gradients are steep at free corners, the
-// more so the shorter the support r = H/spacing, and where volume is stiffer than shape a corner swings in all
-// directions at once. The factors lie below the exact limits, 2 over the highest frequency, of free cubes and squares,
-// and by `few_layers` also of those only three or four particles thick, whose corners pull at each other; not where
-// particles lie at random (tests/terms/test_total_lagrangian.cpp). The greatest speed is in the limit because a speed
-// near that of sound means strains near one, at which the laws stiffen. A body that is held at such strains and hardly
-// moves is stiffer than this knows, but for `stiffening`, the square of the fastest wave's speed there over that of the
-// stress-free solid (finite_strain_limit.hpp).
-// `thinness` is how much more gradients are corrected where the body is thickest than inside a large one. The numbers
-// are fitted; `few_layers` is so with the true r, for bodies that are not thin, and only makes the limit of thin ones
-// shorter.
+// more so the shorter the support r = H/spacing, and where the bulk modulus exceeds the shear modulus a corner swings
+// in all directions at once. The factors lie below the exact limits, 2 over the highest frequency, of free cubes and
+// squares, and with `few_layers` also of those only three or four particles thick, whose corners interact; not for
+// particles at random positions (tests/terms/test_total_lagrangian.cpp). The limit includes the greatest speed because
+// a speed near that of sound means strains near one, at which the laws stiffen. A body that is held at such strains and
+// hardly moves is stiffer than this assumes, except with `stiffening`, the square of the fastest wave's speed there
+// over that of the stress-free solid (finite_strain_limit.hpp).
+// `thinness` is how much more gradients are corrected in the thickest part of the body than inside a large one. The
+// numbers are fitted; `few_layers` is fitted with the true r, for bodies that are not thin, and only shortens the limit
+// of thin ones.
 double elastic_wave_limit(const auto& material, const TimeStepInput& in, double thinness = 1, double stiffening = 1) {
     const double lambda = lame_lambda(material), r = in.support_radius / in.spacing;
     const double bulky = std::max(lambda / (lambda + 2 * material.shear_modulus), 0.0); // nu/(1 - nu)
@@ -42,8 +42,8 @@ double elastic_wave_limit(const auto& material, const TimeStepInput& in, double 
     return few_layers * std::min(factor, most) * in.spacing / (wave_speed + in.max_speed);
 }
 
-// The greatest sum of magnitudes in a row: no eigenvalue of a symmetric matrix is greater (Gershgorin), and one is as
-// great where the matrix is diagonal.
+// The greatest sum of magnitudes in a row: an upper bound of the eigenvalues of a symmetric matrix (Gershgorin), which
+// a diagonal matrix reaches.
 template <class T, int n>
 IMBIBE_INLINE constexpr T greatest_row_sum(const Tensor<T, n>& symmetric) {
     T greatest(0);

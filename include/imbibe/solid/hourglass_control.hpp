@@ -1,4 +1,4 @@
-// Hourglass control: resists the motions of a total-Lagrangian solid that its deformation gradient does not see.
+// Hourglass control: resists motions of a total-Lagrangian solid that its deformation gradient does not contain.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -25,14 +25,15 @@ struct HourglassControlParameters {
 ///
 ///     e_ab = x_ab - (F_a + F_b)/2 X_ab,   n_ab = x_ab/|x_ab|,
 ///
-/// Young's modulus E and the kernel W of the stress-free solid. e_ab is how far the pair is from where the mean
-/// deformation gradient of the two would have it: zero for every affine motion. The force of the pair is along its
-/// present line of centres, equal and opposite, so linear and angular momentum are conserved.
+/// Young's modulus E and the kernel W of the stress-free solid. e_ab is the deviation of the pair from the mean
+/// deformation gradient of the two: zero for every affine motion. The force of the pair is along its present line of
+/// centres, equal and opposite, so linear and angular momentum are conserved.
 ///
-/// For every total-Lagrangian solid that bends, is hit or is thin.
+/// For every total-Lagrangian solid that bends, is thin or suffers impacts.
 ///
-/// Not a damping: it stores energy. It is second order in the spacing, but with a coarse solid it adds stiffness: not
-/// where a plate of few layers must bend by the last percent. Not beside PairwiseShearForce, which has no such motions.
+/// Not a damping: it stores energy. Its error is second order in the spacing, but it adds stiffness to a coarse solid:
+/// not where a plate of few layers must bend right to the last percent. Not beside PairwiseShearForce, which has no
+/// such motions.
 ///
 /// Source: Ganzenmueller (2015), with alpha = 0.1.
 template <class Kernel = WendlandC2>

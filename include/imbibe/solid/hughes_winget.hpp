@@ -6,9 +6,9 @@
 
 namespace imbibe {
 
-/// The velocity gradient is taken where the motion with these velocities has just ended: SymplecticEuler, Leapfrog and
-/// PositionVerlet. (The forces of PositionVerlet stand half way of a step, but it is the velocities of the step before
-/// that have brought the particles there from where the last forces were.)
+/// The velocity gradient is taken at the end of the motion with these velocities: SymplecticEuler, Leapfrog and
+/// PositionVerlet. (PositionVerlet evaluates forces half way of a step, but the velocities of the step before have
+/// moved the particles there since the last evaluation.)
 struct AfterTheMove {
     static constexpr double back = 0.5; ///< how many steps the middle of the motion lies back
 };
@@ -17,8 +17,8 @@ struct HalfWay {
     static constexpr double back = 0; ///< it does not
 };
 
-/// S' = Q S Q^T + 2 G dt (e - tr(e)/3 1), in Pa, for a step of dt: the stress is turned by an orthogonal Q, then
-/// Hooke's law is added. As a rate, in Pa/s:
+/// S' = Q S Q^T + 2 G dt (e - tr(e)/3 1), in Pa, for a step of dt: an orthogonal Q rotates the stress, then Hooke's law
+/// is added. As a rate, in Pa/s:
 ///
 ///     dS/dt = R S + S R^T + dt R S R^T + 2 G (e - tr(e)/3 1),   R = (1 - dt/2 Omega)^-1 Omega,   Q = 1 + dt R,
 ///
@@ -26,19 +26,19 @@ struct HalfWay {
 /// motion, L (1 - dt/2 L)^-1 for a gradient L taken after the move (`When`). A rigid rotation then gives e = 0 and for
 /// Q the rotation itself, however long the step. For dt -> 0 this is JaumannStress.
 ///
-/// For updated-Lagrangian solids that turn far. A thousand turns of a prescribed rotation, 100 steps each, changed the
-/// stress by 3e-11 of itself; JaumannStress, advanced by the same steps, was off by more than the stress after one
+/// For updated-Lagrangian solids with large rotations. A thousand turns of a prescribed rotation, 100 steps each,
+/// change the stress by 3e-11 of itself; JaumannStress with the same steps is off by more than the stress after one
 /// turn. In two dimensions plane strain, as there.
 ///
 /// Not for Poisson's ratios near 0.5, where the mean stress alternates from particle to particle (the bound of 0.495 is
 /// that of CompressibleNeoHookean).
 ///
-/// Not a cure for what the Jaumann rate has wrong in large shear (S_xy = G sin(shear)), nor for a velocity gradient
-/// that is too small, as that of VelocityGradient at a free surface: there the stress turns slower than the matter.
-/// Exact for steps of constant length only: L belongs to the last step, dt to this one. With the wrong `When` the
-/// stress falls behind the matter, by 0.39 rad in 100 turns of 126 steps each, and by a quarter of that with steps half
-/// as long. Not with MidpointRungeKutta and PredictorCorrector, whose rates are not those of a step (dt = 0): there it
-/// is JaumannStress.
+/// Not a cure for the errors of the Jaumann rate in large shear (S_xy = G sin(shear)), nor for a velocity gradient that
+/// is too small, as that of VelocityGradient at a free surface: there the stress turns slower than the material. Exact
+/// for steps of constant length only: L belongs to the last step, dt to this one. With the wrong `When` the stress lags
+/// behind the material, by 0.39 rad in 100 turns of 126 steps each, and by a quarter of that with steps half as long.
+/// Not with MidpointRungeKutta and PredictorCorrector, whose rates are not those of a step (dt = 0): there it is
+/// JaumannStress.
 ///
 /// Source: Hughes and Winget (1980). The density keeps the rate of its own equation.
 template <class When = AfterTheMove>

@@ -1,4 +1,4 @@
-// Hooke's law for the deviatoric stress as a rate, seen from axes that turn with the material.
+// Hooke's law for the deviatoric stress as a rate, in axes that rotate with the material.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -17,7 +17,7 @@ namespace imbibe {
 /// that of CompressibleNeoHookean).
 ///
 /// Not for large shear: in simple shear the stress oscillates, S_xy = G sin(shear), and a closed cycle of strain leaves
-/// a stress behind. Not for long runs that must come back to their shape: errors of the rate add up in S. A
+/// a residual stress. Not for long runs that must return to their shape: errors of the rate accumulate in S. A
 /// total-Lagrangian solid has neither fault.
 ///
 /// Source: Gray, Monaghan and Swift (2001); the paper, Eqs. (5) to (7), where the trace is printed as

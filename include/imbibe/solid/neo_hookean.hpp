@@ -1,4 +1,4 @@
-// Neo-Hookean solids, W = G/2 (tr C - 3) and what the volume stores: rubber, and foams that are squeezed hard.
+// Neo-Hookean solids, W = G/2 (tr C - 3) plus a volumetric energy: rubber, and strongly compressed foams.
 //
 //     CompressibleNeoHookean   W = G/2 (tr C - 3 - 2 ln J)     + lambda/4 (J^2 - 1 - 2 ln J)
 //     IsochoricNeoHookean      W = G/2 (J^(-2/3) tr C - 3)     + K/4      (J^2 - 1 - 2 ln J)
@@ -15,11 +15,11 @@ namespace imbibe {
 ///
 ///     P = dW/dF = G (F - F^-T) + lambda/2 (J^2 - 1) F^-T, in Pa.
 ///
-/// One of two laws that are called neo-Hookean: here tr C holds the volume as well as the shape; IsochoricNeoHookean
-/// has them apart. Both are Hooke's law for small strains, and they differ for great ones, the more so the more
-/// compressible the solid is: held sideways, with Poisson's ratio 0.3, the stress here is less by 6 % at a stretch of
-/// 0.8 and greater by 10 % at 1.5 (by 1.9 % and 3 % with 0.45; tests/terms/test_neo_hookean.cpp). A program whose
-/// results are to be met, or the paper a constant is from, says which one it has.
+/// One of two laws called neo-Hookean: here tr C includes the volume as well as the shape; IsochoricNeoHookean
+/// separates them. Both are Hooke's law for small strains, and differ for large ones, the more so the more compressible
+/// the solid is: with lateral strain zero and Poisson's ratio 0.3, the stress here is less by 6 % at a stretch of 0.8
+/// and greater by 10 % at 1.5 (by 1.9 % and 3 % with 0.45; tests/terms/test_neo_hookean.cpp). To reproduce the results
+/// of a program, or use a constant from a paper, find out which of the two it has.
 ///
 /// For large strains, above all compression, which it resists without limit.
 ///
@@ -56,8 +56,8 @@ struct CompressibleNeoHookean {
 
     /// (c/c_0)^2 at the deformation F or a little more: the square of the fastest wave's speed over that of the
     /// stress-free solid. The acoustic tensor of a wave with the stress-free normal N is mu 1 + (lambda/2 (J^2 + 1) +
-    /// mu) m (x) m, m = F^-T N, mu = G, Pa; |m|^2 is at most the greatest eigenvalue of (F^T F)^-1, of which there is a
-    /// bound (detail::greatest_row_sum).
+    /// mu) m (x) m, m = F^-T N, mu = G, Pa; |m|^2 is at most the greatest eigenvalue of (F^T F)^-1, for which
+    /// detail::greatest_row_sum is a bound.
     template <class T, int n>
     static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {
         const T J = max(determinant(F), T(1e-3));
@@ -90,12 +90,11 @@ IMBIBE_INLINE constexpr Tensor<T, n> isochoric_stress(const Tensor<T, n>& F, T J
 ///
 ///     P = dW/dF = G J^(-2/3) (F - tr C/3 F^-T) + K/2 (J^2 - 1) F^-T, in Pa.
 ///
-/// The law of the split into a part of the shape alone (isochoric: J^(-2/3) C has the determinant one) and one of the
-/// volume alone: shear gives no pressure, a change of volume no shear stress. The other law of that name is
-/// CompressibleNeoHookean, which says how far the two are apart. VolumetricDeviatoric is this law with averaged
-/// volumes.
+/// The law with separate energies of shape (isochoric: J^(-2/3) C has the determinant one) and volume: shear gives no
+/// pressure, a change of volume no shear stress. The other law of that name is CompressibleNeoHookean, which says how
+/// much the two differ. VolumetricDeviatoric is this law with averaged volumes.
 ///
-/// For large strains, and where G and K are to mean the same at every strain.
+/// For large strains, and where G and K must keep their meaning at every strain.
 ///
 /// Not for Poisson's ratios near 0.5: the mean stress then alternates from particle to particle; VolumetricDeviatoric
 /// averages it.
@@ -130,8 +129,8 @@ struct IsochoricNeoHookean {
     /// (c/c_0)^2 at the deformation F or a little more: the square of the fastest wave's speed over that of the
     /// stress-free solid. The acoustic tensor of a wave with the stress-free normal N is G J^(-2/3) [1 - 2/3 (n (x) m +
     /// m (x) n) + 5/9 I_1 m (x) m] + K/2 (J^2 + 1) m (x) m, n = F N, m = F^-T N, n.m = 1, I_1 = tr C, Pa; |n|^2 and
-    /// |m|^2 are at most the greatest eigenvalues of F^T F and its inverse, of which there are bounds
-    /// (detail::greatest_row_sum).
+    /// |m|^2 are at most the greatest eigenvalues of F^T F and its inverse, for which detail::greatest_row_sum gives
+    /// bounds.
     template <class T, int n>
     static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {
         const T J = max(determinant(F), T(1e-3));

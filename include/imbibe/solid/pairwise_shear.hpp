@@ -1,4 +1,4 @@
-// An elastic solid without hourglass modes: its shear force is written from the displacements of the pair itself.
+// An elastic solid without hourglass modes: its shear force is made of the displacements of each pair.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -14,7 +14,7 @@ struct ShearScale : Field<Rank::scalar> {
 };
 inline constexpr ShearScale shear_scale{};
 
-/// s times the isotropic part of the Kirchhoff stress times F^-T, Pa: what a particle adds to the force of
+/// s times the isotropic part of the Kirchhoff stress times F^-T, Pa: a particle's contribution to the force of
 /// PairwiseShearForce.
 struct IsotropicPiolaStress : Field<Rank::tensor> {
     static constexpr std::string_view name = "isotropic_piola_stress", unit = "Pa";
@@ -38,25 +38,25 @@ struct PairwiseShearForceParameters {
 ///
 ///     T = [K/2 (J^2 - 1) - factor G J^(-2/3) I_1/3] F^-T,   J = det F, I_1 = tr F^T F (plus 1 in 2D: plane strain).
 ///
-/// A neo-Hookean solid, law and force in one: it stands in place of IsochoricNeoHookean, whose stress it has with G
-/// times factor, and TotalLagrangianForce. In a continuum the second part is the divergence of factor G J^(-2/3) F, the
-/// shear part of P, written as the Laplacian of the motion: it is made of the offsets of the pairs, from which no
-/// motion can hide: nothing is left for HourglassControl to hold. Undeformed, the two parts cancel pair by pair.
+/// A neo-Hookean solid, law and force in one: it replaces IsochoricNeoHookean, whose stress it has with G times factor,
+/// and TotalLagrangianForce. In a continuum the second part is the divergence of factor G J^(-2/3) F, the shear part of
+/// P, written as the Laplacian of the motion. It uses the offsets of the pairs, so it resists every motion, and
+/// HourglassControl is not needed. Undeformed, the two parts cancel pair by pair.
 ///
 /// For solids that are hit, twisted or bent hard. In a column twisted by a revolution (nu 0.499) the displacements
-/// deviated from the mean of their neighbours by 0.035 spacings, as a smooth twist does; with CompressibleNeoHookean
-/// and HourglassControl by 0.18.
+/// deviate from the mean of their neighbours by 0.035 spacings, as a smooth twist does; with CompressibleNeoHookean and
+/// HourglassControl by 0.18.
 ///
-/// Not with a support below 2 spacings: nothing corrects the lattice sum of the Laplacian, and a slow shear on a square
-/// or cubic lattice meets, with the factor 1.07, 0.70 G (0.71 G) with 1.5 spacings, 1.04 G (1.05 G) with 2 and
-/// with 2.6.
+/// Not with a support below 2 spacings: the lattice sum of the Laplacian is not corrected, and with the factor 1.07 the
+/// effective shear modulus for slow shear on a square (cubic) lattice is 0.70 G (0.71 G) with 1.5 spacings, 1.04 G
+/// (1.05 G) with 2 and with 2.6.
 ///
-/// Not without TotalLagrangianViscosity where the solid moves on: the plate that swings of the reference cases, six
-/// particles thick, gained energy however short the steps were, and burst in its first period; with it it swung on.
-/// Not where energy must be kept to round-off: unlike TotalLagrangianForce it is not the derivative of an energy (the
-/// gradients in the force are not corrected, those in F are). The shear part is central and keeps angular momentum; the
-/// isotropic one keeps it only as well as the gradients are. Not for stresses at free surfaces: there, too, the
-/// gradients are not corrected.
+/// Not without TotalLagrangianViscosity where the solid keeps moving: the swinging plate of the reference cases, six
+/// particles thick, gains energy however short the steps are, and bursts in its first period; with the viscosity it
+/// keeps swinging. Not where energy must be conserved to round-off: unlike TotalLagrangianForce it is not the
+/// derivative of an energy (the gradients in the force are not corrected, those in F are). The shear part is central
+/// and conserves angular momentum; the isotropic one conserves it only as well as the gradients allow. Not for stresses
+/// at free surfaces: there, too, the gradients are not corrected.
 ///
 /// Source: the "essentially non-hourglass" formulation of Wu, Zhang, Tang and Hu (2023), as it stands in their
 /// program SPHinXsys; there J^(-2/d) and tr(F F^T)/d in d dimensions, here plane strain in 2D.
@@ -104,7 +104,7 @@ struct PairwiseShearForce {
     using reductions = Parts<ElasticEnergy<IsochoricNeoHookean>>; // nearly
 
     static constexpr const char* limit_name = "elastic wave";
-    /// That of CompressibleNeoHookean, s, by the wave speed that a `factor` above that of the source makes.
+    /// The limit of CompressibleNeoHookean, s, with the wave speed for a `factor` above that of the source.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double K = material.bulk_modulus(), shear = 4 * material.shear_modulus / 3;
         const double more = std::max(parameters.factor / Parameters{}.factor, 1.0);

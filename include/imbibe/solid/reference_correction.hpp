@@ -10,15 +10,15 @@
 
 namespace imbibe {
 
-/// S_a = sqrt(s_a) sum_b V_b |L_a grad_a W_ab|, 1/m, with the stress share s_a: how much a gradient at particle a can
-/// be, for displacements of 1 m.
+/// S_a = sqrt(s_a) sum_b V_b |L_a grad_a W_ab|, 1/m, with the stress share s_a: an upper bound of a gradient at
+/// particle a for displacements of 1 m.
 struct GradientSum : Field<Rank::scalar> {
     static constexpr std::string_view name = "gradient_sum", unit = "1/m";
 };
 inline constexpr GradientSum gradient_sum{};
 
-/// The part of its stress that a particle carries, from 0 to 1: 1 where its neighbours tell the deformation in all
-/// directions.
+/// The share of its stress that a particle carries, from 0 to 1: 1 if it has neighbours in all directions, so that they
+/// determine its deformation.
 struct StressShare : Field<Rank::scalar> {
     static constexpr std::string_view name = "stress_share", unit = "1";
 };
@@ -50,11 +50,11 @@ double lattice_moment(double support) {
 struct ReferenceCorrectionParameters {
     /// A particle carries all of its stress where 1/|M_a^-1|, nearly the least moment in any direction, is at least
     /// this. It is 0.58 inside, 0.2 at the corner of a cube (0.13 with a support of 3 spacings), 0.08 and more in a
-    /// block of two by two by two particles, 0 for a sheet or a thread of single particles, and for a rough one between
-    /// 0 and the square of its roughness in spacings.
+    /// block of two by two by two particles, 0 for a sheet or a thread of single particles, and for a rough sheet or
+    /// thread between 0 and the square of its roughness in spacings.
     double full_above = 0.08;
-    /// It carries none where that is below this, and a part between the two. Without it rough sheets of single
-    /// particles have corrections of several hundred, and the step that they bear is as much shorter.
+    /// It carries none where that is below this, and a part between the two. Without this limit rough sheets of single
+    /// particles have corrections of several hundred, and correspondingly short stable steps.
     double none_below = 0.04;
 
     /// Throws Error for a number out of range. @param where the phase in the message
@@ -65,15 +65,15 @@ struct ReferenceCorrectionParameters {
     }
 };
 
-/// L_a = M_a^-1, from M_a = sum_b V_b (X_b - X_a) (x) grad_a W_ab with the stress-free positions X and volumes
-/// V = m/rho_0; once, when the particles are added. Gradients of linear fields are then exact at every particle that
-/// has neighbours in all directions.
+/// L_a = M_a^-1, from M_a = sum_b V_b (X_b - X_a) (x) grad_a W_ab with the stress-free positions X and volumes V =
+/// m/rho_0; computed once, when the particles are added. Gradients of linear fields are then exact at every particle
+/// that has neighbours in all directions.
 ///
-/// Where it has not (a sheet, a thread, a single particle) M cannot be inverted. Such a particle carries no stress, and
-/// between the two kinds a part of it, the stress share s_a: the elastic energy is sum_a s_a V_a psi(F_a), which no
-/// rotation changes, so angular momentum is kept. L is then (M^2 + e^2)^-1 M with e = none_below, exact in the
-/// directions in which neighbours are. Not for such parts therefore, which nothing but HourglassControl holds together:
-/// they should be at least two particles thick.
+/// For other particles (a sheet, a thread, a single particle) M cannot be inverted. Such a particle carries no stress,
+/// and intermediate ones a part of it, the stress share s_a: the elastic energy is sum_a s_a V_a psi(F_a), which no
+/// rotation changes, so angular momentum is conserved. L is then (M^2 + e^2)^-1 M with e = none_below, exact in the
+/// directions in which there are neighbours. So not for such parts, which only HourglassControl holds together: make
+/// them at least two particles thick.
 ///
 /// Source: Bonet and Lok (1999); Vignjevic, Reveles and Campbell (2006).
 template <class Kernel = WendlandC2>
@@ -139,19 +139,19 @@ struct ReferenceCorrection {
         double operator()(const auto& a) const { return trace(a[gradient_correction]); }
     };
     using reductions = Parts<GreatestSum, LeastTrace>;
-    /// The lesser of two, s, of irregular and of thin bodies, c being the speed of longitudinal waves:
+    /// The lesser of two limits, s, of irregular and of thin bodies, c being the speed of longitudinal waves:
     ///
-    /// spacing/(c (1 + 3 (S/S_0 - 1))) where the greatest S_a is above S_0, 2.82/spacing in 3D and 2/spacing in 2D,
-    /// which is the greatest on lattices: irregular particles with few neighbours, whose gradients are corrected by
-    /// much, are stiffer. Fitted to shaken sheets, rows and blocks that are more or less irregular, with supports
-    /// of 1.5 to 2.6 spacings: the longest step that holds is 0.84 to 1.9 times this.
+    /// spacing/(c (1 + 3 (S/S_0 - 1))) where the greatest S_a is above S_0, 2.82/spacing in 3D and 2/spacing in 2D, its
+    /// greatest value on lattices: irregular particles with few neighbours have large corrections and are stiffer.
+    /// Fitted to shaken sheets, rows and blocks of various irregularity, with supports of 1.5 to 2.6 spacings: the
+    /// longest stable step is 0.84 to 1.9 times this.
     ///
-    /// The law's limit ("elastic wave") for a support t times as short (all but its factors for supports below two
-    /// spacings and for nu/(1 - nu) above a half, which stay), or 1/t^(1/4) of it where that is less, where
-    /// the gradients of every particle are corrected by more than in a large body: t is the least trace of L, over that
+    /// The law's limit ("elastic wave") for a support t times as short (except its factors for supports below two
+    /// spacings and for nu/(1 - nu) above a half, which stay), or 1/t^(1/4) of it if that is less, in bodies where the
+    /// gradients of every particle are corrected by more than in a large body: t is the least trace of L, over that
     /// inside a lattice, above 1.1 in bodies two particles thick and in some of three. For plates, bars and blocks of
-    /// two to four particles, supports of 1.5 to 2.6 spacings and all Poisson's ratios up to 0.499 the longest step
-    /// that holds is 0.98 to 1.45 times this and the law's (tests/terms/test_total_lagrangian.cpp).
+    /// two to four particles, supports of 1.5 to 2.6 spacings and all Poisson's ratios up to 0.499 the longest stable
+    /// step is 0.98 to 1.45 times this and the law's (tests/terms/test_total_lagrangian.cpp).
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         double limit = std::numeric_limits<double>::infinity();
         if constexpr (requires { material.longitudinal_wave_speed(); }) {

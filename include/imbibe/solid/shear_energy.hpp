@@ -1,4 +1,4 @@
-// What a solid with a stress rate stores by its shear.
+// The energy that a solid with a stress rate stores by shear.
 #pragma once
 
 #include <imbibe/core/term.hpp>

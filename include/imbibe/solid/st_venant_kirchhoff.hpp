@@ -7,15 +7,15 @@
 namespace imbibe {
 
 /// W = lambda/2 tr(E)^2 + G E:E, the energy stored in J/m^3 of the stress-free solid, with E = (F^T F - 1)/2 and lambda
-/// = K - 2G/3, K = rho_0 c^2 of the material. In 2D: plane strain, E has nothing out of the plane. The stress is
+/// = K - 2G/3, K = rho_0 c^2 of the material. In 2D: plane strain, E has no component out of the plane. The stress is
 ///
 ///     P = dW/dF = F S, S = lambda tr(E) 1 + 2 G E, in Pa.
 ///
 /// For large displacements and rotations with small strains (plates, beams, sponges that bend): a rotation gives no
 /// stress.
 ///
-/// Not for strong compression: below a stretch of 0.58 the material softens and at last collapses (dP/dF < 0 for
-/// F < 1/sqrt(3) in one dimension). The neo-Hookean laws do not.
+/// Not for strong compression: below a stretch of 0.58 the material softens and finally collapses (dP/dF < 0 for F <
+/// 1/sqrt(3) in one dimension). The neo-Hookean laws do not.
 ///
 /// Source: any textbook of continuum mechanics, for instance Holzapfel (2000).
 struct StVenantKirchhoff {
@@ -45,8 +45,8 @@ struct StVenantKirchhoff {
 
     /// (c/c_0)^2 at the deformation F or a little more: the square of the fastest wave's speed over that of the
     /// stress-free solid. The acoustic tensor of a wave with the stress-free normal N is (N.S N) 1 + (lambda + G) n (x)
-    /// n + G F F^T, n = F N, Pa; with the greatest eigenvalue of F^T F, of which there is a bound
-    /// (detail::greatest_row_sum), each of the three is at its greatest.
+    /// n + G F F^T, n = F N, Pa; a bound of the greatest eigenvalue of F^T F (detail::greatest_row_sum) bounds each of
+    /// the three.
     template <class T, int n>
     static constexpr T wave_stiffening(const auto& material, const Tensor<T, n>& F) {
         const auto C = transpose(F) * F;
@@ -58,8 +58,8 @@ struct StVenantKirchhoff {
 
     static constexpr const char* limit_name = "elastic wave";
     /// f spacing/(c_l + v), s, with the speed of longitudinal waves c_l = sqrt((K + 4G/3)/rho_0), the greatest speed v
-    /// in the phase, and f = 1 but for short supports and for Poisson's ratios near 1/2: with n = nu/(1 - nu) and r =
-    /// H/spacing it is the least of 1, r/1.85 and sqrt(r/(1.2 + 1.5 n)), in 2D of 1 and sqrt(r/(0.9 + 1.1 n)).
+    /// in the phase, and f = 1 except for short supports and for Poisson's ratios near 1/2: with n = nu/(1 - nu) and r
+    /// = H/spacing it is the least of 1, r/1.85 and sqrt(r/(1.2 + 1.5 n)), in 2D of 1 and sqrt(r/(0.9 + 1.1 n)).
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
         return detail::elastic_wave_limit(material, in);
     }

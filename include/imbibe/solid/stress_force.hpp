@@ -11,14 +11,14 @@ struct StressOverDensity2 : Field<Rank::symmetric_tensor> {
 };
 inline constexpr StressOverDensity2 stress_over_density2{};
 
-/// dv_a/dt = sum_b m_b (sigma_a/rho_a^2 + sigma_b/rho_b^2) grad_a W_ab, in m/s^2, with the Cauchy stress
-/// sigma = S - p 1 (tension is positive). It holds the pressure too: a phase with StressForce takes no
-/// SymmetricPressure of its own (a Coupling may still have one).
+/// dv_a/dt = sum_b m_b (sigma_a/rho_a^2 + sigma_b/rho_b^2) grad_a W_ab, in m/s^2, with the Cauchy stress sigma = S - p
+/// 1 (tension is positive). It includes the pressure: a phase with StressForce takes no SymmetricPressure of its own (a
+/// Coupling may still have one).
 ///
 /// The force of the pair is equal and opposite, to the last bit where the masses are equal.
 ///
 /// Not without ArtificialStress where the solid is stretched: tension makes the particles clump. The forces are not
-/// central: angular momentum is kept only as well as the gradients are.
+/// central: angular momentum is conserved only as well as the gradients allow.
 ///
 /// Source: Gray, Monaghan and Swift (2001); the paper, Eqs. (4) and (15).
 template <class Kernel>

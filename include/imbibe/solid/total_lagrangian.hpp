@@ -8,22 +8,22 @@
 //                         HourglassControl<>,             // against what F does not see
 //                         TotalLagrangianViscosity<>> {}; // if it should stop ringing
 //
-// ReferenceCorrection, DeformationGradient and TotalLagrangianForce must have the same kernel: momentum and energy
-// hang on it. The density stays that of the stress-free solid.
+// ReferenceCorrection, DeformationGradient and TotalLagrangianForce must have the same kernel, or momentum and energy
+// are not conserved. The density stays that of the stress-free solid.
 //
-// Particles see those only that were within the support radius when they were free of stress. So bodies of one phase
-// that lie nearer to each other at the start are one body, and others pass through each other, and a body through
-// itself, unless the phase lists KernelRepulsion<> with a range of 0.9 (spacings; never 0, the whole support, within a
-// solid), or each body is a phase of its own and a coupling of the two has it; within one phase steps are shorter.
+// A particle's neighbours are only those within the support radius in the stress-free state. So bodies of one phase
+// that start nearer than that are one body. Others pass through each other, and a body through itself, unless the phase
+// lists KernelRepulsion<> with a range of 0.9 (spacings; never 0, the whole support, within a solid), or each body is a
+// phase of its own and a coupling of the two has the repulsion. Within one phase it makes steps shorter.
 //
 // Give the solid a support of its own, 1.5 to 2 spacings. The neighbours never change, so these few are enough, and
-// what bends is less soft: particles at a surface see strains that are averaged inwards. The period of a clamped plate
-// (Gray et al. 2001, 2D, small swings) came out too long by
+// bending is less soft: the strains that surface particles see are averaged inwards. The period of a clamped plate
+// (Gray et al. 2001, 2D, small swings) is too long by
 //     particles across   support 1.5   support 2    support 2.6 spacings
 //            4               6 %          17 %          28 %
 //            6               4 %           9 %          13 %
 //           10               2 %           4 %           5 %
-// Of that, 1/(2 n^2) with n particles across is the sum over the layers, whatever the support: bending_modulus.
+// Of that, 1/(2 n^2) with n particles across comes from the sum over the layers, for any support: bending_modulus.
 #pragma once
 
 #include <imbibe/solid/bending_modulus.hpp>

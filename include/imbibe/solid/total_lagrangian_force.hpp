@@ -13,18 +13,18 @@ struct CorrectedPiolaStress : Field<Rank::tensor> {
 inline constexpr CorrectedPiolaStress corrected_piola_stress{};
 
 /// dv_a/dt = sum_b m_b (s_a P_a L_a/rho_0a^2 + s_b P_b L_b/rho_0b^2) grad_a W_ab, in m/s^2, over the neighbours and
-/// with the kernel of the stress-free solid; P is the first Piola-Kirchhoff stress, L and s the correction and the
-/// stress share (1 but in the thinnest parts) of ReferenceCorrection.
+/// with the kernel of the stress-free solid; P is the first Piola-Kirchhoff stress, L and s are the correction and the
+/// stress share of ReferenceCorrection (s is 1 except in the thinnest parts).
 ///
-/// It is minus the derivative of the elastic energy sum_a s_a V_a psi(F_a) with respect to x_a, F_a being that of
-/// DeformationGradient: differentiating F_a brings V_b L_a grad_a W_ab, once from a's own F and once from each
+/// It is minus the derivative of the elastic energy sum_a s_a V_a psi(F_a) with respect to x_a, with F_a of
+/// DeformationGradient: differentiating F_a gives V_b L_a grad_a W_ab, once from a's own F and once from each
 /// neighbour's, and grad_a W_ab = -grad_b W_ba. So linear momentum is conserved to round-off pair by pair (to the last
-/// bit for equal masses), energy and, where L is the inverse of M or s is 0, angular momentum by the sums. No clumping
-/// under tension, whatever the stretch, because the kernel never sees it.
+/// bit for equal masses), energy in the sum, and angular momentum in the sum where L is the inverse of M or s is 0.
+/// There is no clumping under any stretch, because the kernel uses stress-free distances.
 ///
-/// Not without HourglassControl where the solid bends or is hit: motions that alternate from particle to particle
-/// leave F as it is and are not resisted. Not for solids that flow or break. Bodies of the phase that meet do not feel
-/// it: that is another term's (solid/total_lagrangian.hpp).
+/// Not without HourglassControl where the solid bends or is hit: motions that alternate from particle to particle do
+/// not change F and are not resisted. Not for solids that flow or break. It does not act between bodies of the phase
+/// that meet: that needs another term (solid/total_lagrangian.hpp).
 ///
 /// Source: Bonet and Kulasegaram (2002); Vignjevic, Reveles and Campbell (2006); Ganzenmueller (2015).
 template <class Kernel = WendlandC2>

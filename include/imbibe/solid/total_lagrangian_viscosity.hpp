@@ -10,7 +10,7 @@ namespace imbibe {
 
 /// Coefficients of TotalLagrangianViscosity.
 struct TotalLagrangianViscosityParameters {
-    /// Strength. 0.02 takes the ringing of single particles out and leaves a plate swinging; 1 is for hard impact.
+    /// Strength. 0.02 damps the ringing of single particles and lets a plate swing; 1 is for hard impact.
     double alpha = 0.02;
 
     /// Throws Error for a number out of range. @param where the phase or coupling in the message
@@ -26,7 +26,7 @@ struct TotalLagrangianViscosityParameters {
 /// alpha rho_0 c H/20 in 3D, alpha rho_0 c H/16 in 2D), and leaves rotations alone. The force of the pair is along its
 /// present line of centres, equal and opposite: linear and angular momentum are conserved.
 ///
-/// Not a model of a real material's damping: it falls with the resolution.
+/// Not a model of a real material's damping: it decreases with the spacing.
 ///
 /// Source: the linear part of Monaghan (1992) on stress-free neighbours, for receding pairs too.
 template <class Kernel = WendlandC2>
@@ -56,7 +56,7 @@ struct TotalLagrangianViscosity {
     /// 2.8 dim H/(S alpha c) in 2D and 2.4 dim H/(S alpha c) in 3D, s, with S = 14 for WendlandC2: 2 over the fastest
     /// rate of decay.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
-        const double in_order = 0.8; // of what disorder would need: a solid keeps the neighbours it started with
+        const double in_order = 0.8; // share of what disorder would need: a solid keeps its initial neighbours
         return detail::central_diffusion_limit<Kernel>(
             in_order * parameters.alpha * 0.25 * in.support_radius * material.sound_speed / in.dimension, in);
     }

@@ -1,4 +1,4 @@
-// The velocity gradient: how fast the neighbourhood of a particle stretches and turns.
+// The velocity gradient: how fast the neighbourhood of a particle deforms and rotates.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -7,11 +7,11 @@ namespace imbibe {
 
 /// dv_i/dx_j = - sum_b (m_b/rho_b) (v_a - v_b)_i dW_ab/dx_j, in 1/s; component (i, j) is dv_i/dx_j.
 ///
-/// What JaumannStress works from. Zero for a uniform velocity, whatever the particles' arrangement.
-/// `velocity_field` is the velocity it is the gradient of: `velocity`, or `smoothed_velocity` with Xsph.
+/// What JaumannStress works from. Zero for a uniform velocity with any arrangement of particles. `velocity_field` is
+/// the velocity of which it is the gradient: `velocity`, or `smoothed_velocity` with Xsph.
 ///
 /// Not exact for a linear velocity: with few neighbours and at a free surface it is too small (the factor is 0.47 in
-/// the interior with 6 neighbours), and so is every stress made of it. Where that matters take
+/// the interior with 6 neighbours), and so is every stress computed from it. Where that matters take
 /// CorrectedVelocityGradient (solid/corrected_gradients.hpp).
 ///
 /// Source: Monaghan (1992); the paper, Eq. (21).

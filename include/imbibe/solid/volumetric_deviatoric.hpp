@@ -1,5 +1,5 @@
-// A nearly incompressible rubber, W = G/2 (J^(-2/3) tr C - 3) + K/4 (mean J^2 - 1 - 2 ln mean J): the pressure from the
-// change of volume averaged over the neighbours, the rest of the stress from the particle's own deformation.
+// A nearly incompressible rubber, W = G/2 (J^(-2/3) tr C - 3) + K/4 (mean J^2 - 1 - 2 ln mean J): the pressure follows
+// from the volume change averaged over the neighbours, the rest of the stress from the particle's own deformation.
 #pragma once
 
 #include <imbibe/kernels/poly6.hpp>
@@ -26,7 +26,7 @@ struct VolumeRatioSum : Field<Rank::scalar> {
 };
 inline constexpr VolumeRatioSum volume_ratio_sum{};
 
-/// U'(mean J)/sum_b V_b W_ab, Pa: the mean stress of the averaged volume, ready to be shared out.
+/// U'(mean J)/sum_b V_b W_ab, Pa: the mean stress of the averaged volume, ready to be averaged back.
 struct SharedMeanStress : Field<Rank::scalar> {
     static constexpr std::string_view name = "shared_mean_stress", unit = "Pa";
 };
@@ -49,24 +49,23 @@ inline constexpr AveragedMeanStress averaged_mean_stress{};
 /// J_b) / sum_c V_c W_bc with U'(J) = K/2 (J - 1/J): then the force of TotalLagrangianForce is minus the derivative of
 /// the energy, and momentum, angular momentum and energy are kept as with any other law.
 ///
-/// A law in place of the neo-Hookean ones, for Poisson's ratios near 1/2. There the local volume asks more of the
-/// particles than their neighbours leave them free to do, and the mean stress alternates from particle to particle
-/// (checkerboard). Averaged, it is smooth: where J alternates on a square lattice with a support of 2 spacings, 0.06 of
-/// that is left in mean J, and 0.06 of that again in the mean stress. In a swinging beam (nu 0.499) the alternating
-/// part of the mean stress fell to 1/25 of what it was with CompressibleNeoHookean; with 1.5 spacings only to 1/1.6,
-/// with 2.6 to 1/76.
+/// A law in place of the neo-Hookean ones, for Poisson's ratios near 1/2. There the local volume constrains the
+/// particles more than their neighbours allow, and the mean stress alternates from particle to particle (checkerboard).
+/// Averaged, it is smooth: where J alternates on a square lattice with a support of 2 spacings, 0.06 of that is left in
+/// mean J, and 0.06 of that again in the mean stress. In a swinging beam (nu 0.499) the alternating part of the mean
+/// stress is 1/25 of that with CompressibleNeoHookean; with 1.5 spacings only 1/1.6, with 2.6 1/76.
 ///
-/// Not for ordinary compressible solids: two more sweeps, and changes of volume smaller than the support are not
-/// resisted. In a column twisted by a revolution (nu 0.499) the volumes of single particles went from 0.90 to 1.08, and
-/// HourglassControl, without which it is not to be used, wanted alpha = 0.3 rather than 0.1.
+/// Not for ordinary compressible solids: it costs two more sweeps, and volume changes on scales below the support are
+/// not resisted. In a column twisted by a revolution (nu 0.499) the volumes of single particles range from 0.90 to
+/// 1.08. Not without HourglassControl, which needs alpha = 0.3 rather than 0.1 there.
 ///
-/// Not for the pressure at a face to a per cent: where the volume changes by the same everywhere, a square lattice with
-/// a support of 2 spacings gives 0.94 of the mean stress at a face, 1.06 in the row behind it and 0.88 at a corner.
+/// Not for the pressure at a face to a per cent: with a uniform volume change, a square lattice with a support of 2
+/// spacings gives 0.94 of the mean stress at a face, 1.06 in the row behind it and 0.88 at a corner.
 ///
 /// An element turned inside out (J <= 0) is beyond it; J is then taken as 0.001.
 ///
 /// `Average` is the kernel of the averages. Poly6 is broad and smooths best; its support is that of the solid, 2
-/// spacings or more (with 1.5 the average is hardly one).
+/// spacings or more (1.5 hardly averages).
 ///
 /// Source: the split of volume and shape: Simo and Hughes (1998); an averaged volume in the pressure only: de Souza
 /// Neto et al. (1996), F-bar; both averages, from the energy: the average nodal pressure of Bonet and Burton (1998) for

@@ -1,4 +1,4 @@
-// XSPH: the velocity smoothed over the neighbours, for gradients and, if wanted, for moving the particles.
+// XSPH: the velocity smoothed over the neighbours, for gradients and, optionally, for moving the particles.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -9,7 +9,7 @@ namespace imbibe {
 /// Coefficients of Xsph.
 struct XsphParameters {
     /// How far the velocity goes towards the mean of its neighbours: 0 not at all, 1 all the way. 0.5 in the paper.
-    /// With XsphTransport well below 1: at 1 velocities that alternate from particle to particle grow, whatever the
+    /// With XsphTransport keep it well below 1: at 1, velocities that alternate from particle to particle grow with any
     /// step.
     double strength = 0.5;
 
@@ -28,12 +28,12 @@ inline constexpr RelativeMeanVelocity relative_mean_velocity{};
 
 /// Sets smoothed_velocity = v_a + 0.5 sum_b (m_b/rho_ab) (v_b - v_a) W_ab, in m/s, with the mean density rho_ab.
 ///
-/// Who uses it: the terms that are told to, as in VelocityGradient<Kernel, smoothed_velocity> and
-/// Continuity<Kernel, smoothed_velocity>. The particles still move with their own velocity, unless XsphTransport stands
-/// beside this term. One velocity for gradients, density and motion is the consistent choice; the paper, which leaves
-/// open what moves the particles, has the gradients and the density only.
+/// It is used by terms that name it, as VelocityGradient<Kernel, smoothed_velocity> and Continuity<Kernel,
+/// smoothed_velocity>. The particles still move with their own velocity, unless XsphTransport stands beside this term.
+/// One velocity for gradients, density and motion is the consistent choice; the paper, which leaves open what moves the
+/// particles, uses it for the gradients and the density only.
 ///
-/// Not for measuring velocities (it blurs over H) and not as a viscosity: it takes no momentum from anything.
+/// Not for measuring velocities (it blurs over H) and not as a viscosity: it does not change the momentum.
 ///
 /// Source: Monaghan (1989) and (1992); the paper, Eq. (19), there with the poly6 kernel.
 template <class Kernel>

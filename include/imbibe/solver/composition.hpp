@@ -20,7 +20,7 @@ struct Composition {
     using All = TypeList<Items...>;
     /// The couplings listed.
     using Couplings = detail::Unique<detail::Filter<detail::KeepCouplings, All>>;
-    /// The phases listed. Those a coupling names should be among them: where one is not, it is added, so that after
+    /// The phases listed. A phase that a coupling names must be among them; if it is not, it is added, so that after
     /// the rule's one error everything else compiles.
     using Phases = detail::Unique<
         detail::Filter<detail::KeepPhases, detail::Concat<All, typename detail::PhasesNamed<Couplings>::type>>>;
@@ -143,8 +143,8 @@ struct Composition {
         return std::array<Row, sizeof...(N)>{any_row<N>()...};
     }
 
-    // What has a value before the plan runs: what the solver fills in, states that are integrated, and for the
-    // plan of a step all that was computed once.
+    // What has a value before the plan runs: what the solver fills in, states that are integrated, and for the plan of
+    // a step everything that is computed once.
     template <class P, class F>
     static constexpr bool integrated() {
         if constexpr (requires { F::rate_name; })
@@ -276,7 +276,7 @@ struct Composition {
             return true;
         }
     }
-    // The term that a row is of; of one that advances a state, the first that adds to its rate.
+    // The term that a row belongs to; for a row that advances a state, the first term that adds to its rate.
     template <class N, class... M>
     static constexpr auto writer_of(TypeList<M...>) {
         if constexpr (!is_advance<N>) {
@@ -367,7 +367,7 @@ struct Composition {
             return true;
         }
     }
-    // One rule after the other: what follows from one that is broken is not worth an error of its own.
+    // The rules one by one: errors that follow from a broken rule are not reported.
     static constexpr bool check() {
         if constexpr (detail::ListRules<Items...>::check())
             if constexpr (all_declarations_fit(Nodes{}))
@@ -382,7 +382,7 @@ struct Composition {
 
 namespace detail {
 
-// Stands for the engine of a scene, where only the name of a step is asked for.
+// A stand-in for the engine of a scene, where only the name of a step is needed.
 struct AnyEngine;
 template <class Given>
 concept IsIntegrator = requires {
@@ -392,13 +392,13 @@ concept IsIntegrator = requires {
 template <class Real>
 inline constexpr bool is_real = std::is_same_v<Real, float> || std::is_same_v<Real, double>;
 
-/// Takes no steps: goes on in the place of what is no integrator, so that one error is enough.
+/// Takes no steps: replaces an argument that is no integrator, so that there is one error only.
 struct NoSteps {
     template <class Engine>
     static void step(Engine&, double) {}
 };
-/// The composition of a solver's arguments. Where they are wrong, a phase or coupling in the place of another counts as
-/// listed.
+/// The composition of a solver's arguments. If they are wrong, a phase or coupling given in the place of another counts
+/// as listed.
 template <int dim, class Real, class Integrator, class... Items>
 struct SceneOf {
     template <class... All>

@@ -1,5 +1,5 @@
-// What a composition costs, as constants: numbers stored, rounds, loops and sweeps, and what a sweep loads. Known to
-// the compiler before there is a particle, so a program can assert that an effect it did not list is not paid for.
+// The costs of a composition as constants: numbers stored, rounds, loops and sweeps, and what a sweep loads. Known at
+// compile time, so a program can assert that an effect it does not list costs nothing.
 #pragma once
 
 #include <imbibe/solver/solver.hpp>
@@ -12,7 +12,7 @@ namespace imbibe {
 
 namespace detail {
 
-/// The passes of a step: what the integrator says, or all terms at once.
+/// The passes of a step: those of the integrator, or all terms at once.
 template <class Integrator, class Composition>
 struct PassesOf {
     using type = TypeList<typename Composition::WholeStep>;
@@ -25,7 +25,7 @@ struct PassesOf<Integrator, Composition> {
     using type = typename Integrator::template Passes<Composition>;
 };
 
-/// What the sweeps of a pass load in a composition in `dim` dimensions.
+/// The loads of the sweeps of a pass in a composition in `dim` dimensions.
 template <int dim, class Pass>
 class PassLoads {
     template <class L, class N>
@@ -62,7 +62,7 @@ public:
         loads = loads_of_steps<L>(std::make_index_sequence<static_cast<std::size_t>(Pass::plan.size)>{});
 };
 
-/// What is asked for the costs of: a composition, evaluated as a whole, or a scene with an integrator.
+/// The subject of the costs: a composition, evaluated as a whole, or a scene with an integrator.
 template <class Scene>
 struct Costed;
 template <int dim_, class... Items>
@@ -73,7 +73,7 @@ struct Costed<Composition<dim_, Items...>> {
 };
 template <int dim_, class Real, class Integrator, class... Items>
 struct Costed<Solver<dim_, Real, Integrator, Items...>> {
-    // Behind an error about its arguments a solver goes on with others.
+    // After an error about its arguments a solver uses others.
     using Whole = Solver<dim_, Real, Integrator, Items...>;
     static constexpr int dim = Whole::dimension;
     using Scene = typename Whole::Scene;
@@ -83,9 +83,9 @@ struct Costed<Solver<dim_, Real, Integrator, Items...>> {
 } // namespace detail
 
 /// The costs of a scene in one step with a search.
-/// @tparam Scene_ a `Solver`: with the evaluations that its integrator makes in a step (of a fast phase of `Subcycled`,
-/// in one of its own steps; of what `DualStepping` evaluates in short steps, in one of them); or a composition,
-/// `Solver::Scene`: with one of all of its terms, as SymplecticEuler makes
+/// @tparam Scene_ a `Solver`: with the evaluations of its integrator in a step (for a fast phase of `Subcycled`, in one
+/// of its own steps; for the fast terms of `DualStepping`, in one short step); or a composition, `Solver::Scene`: with
+/// one evaluation of all of its terms, as SymplecticEuler makes
 template <class Scene_>
 class Costs {
     using Scene = typename detail::Costed<Scene_>::Scene;
@@ -107,8 +107,7 @@ public:
     /// How many numbers a particle of phase P stores.
     template <class P>
     static constexpr int numbers = detail::component_count<dim, typename Scene::template FieldsOf<P>>;
-    /// The bytes of these numbers. A scene also keeps a number that names each particle, and, for sorting, everything
-    /// twice.
+    /// The bytes of these numbers. A scene also stores an id for each particle and, for sorting, everything twice.
     template <class P, class Real>
     static constexpr std::size_t bytes = static_cast<std::size_t>(numbers<P>) * sizeof(Real);
 
@@ -127,9 +126,9 @@ public:
     static constexpr int loads_of_link = sum([]<class Pass>(std::type_identity<Pass>) {
         return detail::PassLoads<dim, Pass>::template loads<L>;
     });
-    /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its place, once a sweep, and
-    /// the fields that terms read of it, once a sweep however many terms do; both twice where it is a neighbour now
-    /// and in the stress-free solid, or of a term that reaches further than others as well.
+    /// How many numbers the sweeps of phase P load in a step for one neighbour of phase B: its position, once a sweep,
+    /// and the fields that terms read of it, once a sweep for all terms. Both count twice if it is a neighbour both now
+    /// and in the stress-free solid, or also of a term with a longer range.
     template <class P, class B>
     static constexpr int loads = loads_between<P, B>(typename detail::LinksOf<dim, typename Scene::Nodes>::type{});
 };

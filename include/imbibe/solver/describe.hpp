@@ -1,4 +1,4 @@
-// What a scene is made of, in words: effects, fields, bytes, rounds and sweeps, neighbours, limits of the step.
+// A report of a scene in words: effects, fields, bytes, rounds and sweeps, neighbours, limits of the step.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -16,21 +16,21 @@ namespace imbibe {
 
 namespace detail {
 
-/// What the compiler calls this function: the name of T is in it.
+/// The compiler's signature of this function, which contains the name of T.
 template <class T>
 constexpr std::string_view signature() {
     return __PRETTY_FUNCTION__;
 }
 /// The names of types in their signatures, with their template arguments, without the library's namespaces. (clang++
-/// leaves out arguments that are the default, `PressureExtrapolation<>`, and does not say which field one is.)
+/// omits default arguments, `PressureExtrapolation<>`, and does not name fields in template arguments.)
 std::string type_names(std::initializer_list<std::string_view> signatures);
 template <class... Term>
 std::string names_of(TypeList<Term...>) {
     return type_names({signature<Term>()...});
 }
 
-/// What share of a pressure resists slow shear of a phase, by the kernel of its plain pressure force
-/// (`pressure_kernel`); 0 where it has none, or that has no second derivative.
+/// The share of a pressure that resists slow shear of a phase, by the kernel of its plain pressure force
+/// (`pressure_kernel`); 0 if it has none, or the kernel has no second derivative.
 template <int dim, class P>
 double shear_stiffness_of(const P&, TypeList<>) {
     return 0;
@@ -66,12 +66,12 @@ std::string material_in_words(const P& material) {
     return words;
 }
 
-/// What the report of a scene says of its types.
+/// The part of a scene's report that depends on its types.
 struct TypesInWords {
     struct PhaseInWords {
         std::string material, effects;
-        int sweeps = 0;             ///< a step
-        double shear_stiffness = 0; ///< what share of a pressure resists slow shear
+        int sweeps = 0;             ///< per step
+        double shear_stiffness = 0; ///< share of a pressure that resists slow shear
         double viscosity = 0;       ///< Pa s
     };
     std::vector<PhaseInWords> phases;
@@ -79,10 +79,10 @@ struct TypesInWords {
     std::vector<int> loads;             ///< by link: how many numbers of a neighbour are loaded in a step
     int rounds = 0, loops = 0;
 };
-/// The limits on steps as the report says them.
+/// The limits on steps, for the report.
 struct LimitsInWords {
     std::vector<TimeStepLimit> step, substep;
-    TimeStepLimit first{0, "", ""}; ///< what the first step is
+    TimeStepLimit first{0, "", ""}; ///< the limit on the first step
 };
 
 /// The report of a prepared scene.
@@ -92,9 +92,9 @@ std::string describe_scene(const Neighbourhood<dim, Real>& scene, const Settings
 
 } // namespace detail
 
-/// The report of a scene: which effects are on, what a particle stores, how the work is scheduled, how many neighbours
-/// there are, between which phases nothing acts, what limits the time step, and what would make the scene faster. Prepares
-/// it for its first step.
+/// The report of a scene: its effects, the fields of a particle, the schedule, the number of neighbours, pairs of
+/// phases without interaction, limits of the time step, and ways to make the scene faster. Prepares the scene for its
+/// first step.
 template <class Scene>
 std::string describe(Scene& scene) {
     using Costs = imbibe::Costs<Scene>;
@@ -126,8 +126,8 @@ std::string describe(Scene& scene) {
     return out;
 }
 
-/// How long the run to `end` would take at the pace of `steps` steps of a copy of the scene, wall seconds. Contacts
-/// that come later, or particles that leave, are not foreseen.
+/// The wall time of the run to `end` at the pace of `steps` steps of a copy of the scene, s. Later contacts and leaving
+/// particles are not foreseen.
 template <class Scene>
 double estimate_wall_seconds(const Scene& scene, double end, int steps = 4) {
     Scene copy = scene;

@@ -1,4 +1,4 @@
-// New particles in a scene: no two in one place, neither among themselves nor with those that are there, also across
+// Checks new particles in a scene: no two in one place, neither among themselves nor with existing ones, also across
 // periodic sides.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace imbibe::detail {
 
-/// The places, and once more those at the lower end of a period, at its upper end. spacing, m.
+/// The places, with copies of those at the lower end of a period at its upper end. spacing, m.
 template <int dim>
 std::vector<Point<dim>> with_images(std::vector<Point<dim>> places, double spacing,
                                     const search::Periodic<dim>& periodic) {
@@ -37,7 +37,7 @@ std::vector<Point<dim>> with_particles_near(const std::vector<Point<dim>>& added
         low = low.cwiseMin(x);
         high = high.cwiseMax(x);
     }
-    low.array() -= 2e-3 * spacing; // twice the least distance: there is rounding
+    low.array() -= 2e-3 * spacing; // twice the least distance, because of rounding
     high.array() += 2e-3 * spacing;
     std::vector<Point<dim>> found = added;
     for (int i = 0; i < count; ++i) {
@@ -55,8 +55,9 @@ std::vector<Point<dim>> with_particles_near(const std::vector<Point<dim>>& added
 }
 
 /// Throws Error, which begins with the name of the phase, if one of the new places is nearer than 1e-3 spacing (m) to
-/// another or to one of the `count` particles at place(i), through periodic sides too. A source adds a few to many, so
-/// of those only the ones in reach of the new are looked at; where two coincide, all are, and the error counts them.
+/// another or to one of the `count` particles at place(i), also through periodic sides. As a source adds a few
+/// particles to many, only the existing ones near the new ones are checked; if two coincide, all are, and the error
+/// counts them.
 template <int dim>
 void require_distinct_places(const std::vector<Point<dim>>& added, int count, const auto& place, double spacing,
                              const search::Periodic<dim>& periodic, const std::string& name) {

@@ -1,5 +1,4 @@
-// The engine of a scene by the names of its types: its phases, couplings and passes. What it does is in
-// scene_engine.hpp and below.
+// The engine of a scene with named types: its phases, couplings and passes. scene_engine.hpp and below do the work.
 #pragma once
 
 #include <imbibe/solver/lowering.hpp>
@@ -96,18 +95,18 @@ public:
         else
             nothing<Scene>(); // that has an error: its loops would have more, and it must not link without them
     }
-    /// The same for phases that have grown, and those that sum over such.
+    /// The same for phases that have grown, and those that sum over them.
     template <class What>
     void run_for_grown() {
         if constexpr (Scene::valid)
             Base::run_for_grown(Tables::template pass<What>());
     }
-    /// Keeps a copy of the sums on top of which the pass `What` acts.
+    /// Keeps a copy of the sums to which the pass `What` adds.
     template <class What>
     void keep_sums() {
         Base::keep_sums(Tables::template pass<What>().kept);
     }
-    /// These sums as they were kept. The order of the particles must not have changed since.
+    /// Restores these sums. The order of the particles must not have changed since.
     template <class What>
     void restore_sums() {
         Base::restore_sums(Tables::template pass<What>().kept);

@@ -1,5 +1,5 @@
-// New particles of a total-Lagrangian phase: neighbours are found where particles are free of stress, so none is added
-// where one was that has left.
+// Checks new particles of a total-Lagrangian phase: as neighbours are found in the stress-free state, none may be added
+// where a particle was that has left.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -16,10 +16,10 @@
 
 namespace imbibe::detail {
 
-/// Throws Error, which begins with the name of the phase, if one of the new places, which are also stress-free ones, is
-/// within the support radius (m) of the stress-free place free_of_stress(i) of one of `count` particles that has moved
-/// from there to place(i), by more than a tenth of the distance: the two would be neighbours for good, with that strain
-/// between them. @param origin of the coordinates in the message, m
+/// Throws Error, which begins with the name of the phase, if one of the new places, which are also stress-free
+/// positions, is within the support radius (m) of the stress-free position free_of_stress(i) of one of `count`
+/// particles that has moved from there to place(i) by more than a tenth of the distance: the two would be permanent
+/// neighbours, with that strain between them. @param origin of the coordinates in the message, m
 template <int dim>
 void require_unstrained_neighbours(const std::vector<Point<dim>>& added, int count, const auto& free_of_stress,
                                    const auto& place, double support, const search::Periodic<dim>& periodic,

@@ -1,5 +1,5 @@
-// Which limits on the time step a scene has: a row for each term that offers one, made by the compiler; and the rules
-// that terms with limits must keep.
+// The time step limits of a scene: a row for each term that has one, made at compile time; and the rules for terms with
+// limits.
 #pragma once
 
 #include <imbibe/solver/engine.hpp>
@@ -9,7 +9,7 @@
 
 namespace imbibe::detail {
 
-struct Acceleration; ///< stands for the limit on how far an acceleration throws a particle, which is of no term
+struct Acceleration; ///< the limit on how far an acceleration throws a particle, which belongs to no term
 
 /// Can a limit be asked for with these materials?
 template <class Term, class... M>
@@ -23,7 +23,7 @@ constexpr bool has_limit() {
     else
         return false;
 }
-/// Does something that the term moves read where it is, and the term not say what steps that bears?
+/// Does the term read positions of something that it moves, without a time step limit?
 template <class Term, class Where, class... Materials>
 constexpr bool check_force() {
     constexpr bool is_force = []<class... Part>(TypeList<Part...>) {
@@ -36,7 +36,8 @@ constexpr bool check_force() {
     else
         return true;
 }
-/// Has the term a limit and its name, or neither? One of phases only, or of couplings, has none in the others.
+/// Has the term both a limit and its name, or neither? A limit for phases only, or for couplings only, does not count
+/// in the others.
 template <class Term, class Where, class M, class... Other>
 constexpr bool check_limit() {
     constexpr bool callable = has_limit<Term, M, Other...>() || has_limit<Term, M>() || has_limit<Term, M, M>();
@@ -53,7 +54,7 @@ constexpr bool check_limit() {
         return check_force<Term, Where, M, Other...>();
 }
 
-/// What a term says of the longest step, s; below 0 where it has no limit. It may need no coefficients for it.
+/// A term's longest step, s; below 0 if it has no limit. It may need no coefficients for it.
 /// @tparam Owner the phase or coupling that has its coefficients, @tparam Materials the phase, or both phases
 template <class Term, class Owner, class... Materials>
 double limit_of_term(const Owner& owner, TimeStepInput in, const Materials&... materials) {
@@ -78,7 +79,7 @@ double limit_in_coupling(const std::any& owner, const std::any& first, const std
     return limit_of_term<Term>(*std::any_cast<C>(&owner), in, *std::any_cast<typename C::First>(&first),
                                *std::any_cast<typename C::Second>(&second));
 }
-/// The same of what it allows of steps that are as long as a particle takes for its spacing.
+/// The same for its limit on long steps, those in which a particle moves about its spacing.
 template <class Term, class P>
 double advection_limit_in_phase(const std::any& owner, const std::any&, const std::any&, const TimeStepInput& in) {
     const P& material = *std::any_cast<P>(&owner);
@@ -91,8 +92,8 @@ inline constexpr bool is_reduction_by = false;
 template <class Quantity, template <class> class Kind>
 inline constexpr bool is_reduction_by<Kind<Quantity>, Kind> = true;
 
-/// The rows of a scene. @tparam Scene a Composition, @tparam Integrator says which are on the short steps that a step
-/// is made of, if it is
+/// The rows of a scene. @tparam Scene a Composition, @tparam Integrator says which limits are on its short steps, if it
+/// has some
 template <int dim, class Scene, class Integrator>
 class IMBIBE_PER_BUILD LimitRows {
     template <class Where, class Term>
@@ -117,7 +118,7 @@ class IMBIBE_PER_BUILD LimitRows {
 
     template <class P, class Term>
     static constexpr auto row_of_phase_term() {
-        if constexpr (!suits<P, Term>) // an error of its own
+        if constexpr (!suits<P, Term>) // reported by another rule
             return std::array<LimitRow, 0>{};
         else if constexpr (!check_limit<Term, P, P>())
             return std::array<LimitRow, 0>{};

@@ -1,4 +1,4 @@
-// The rules that a scene's phases, couplings and terms keep as they are listed, before anything is made of them.
+// The rules for a scene's phases, couplings and terms as listed, checked first.
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>
@@ -192,13 +192,13 @@ private:
         else
             return limit_takes<Term, Parameters, Item> || advection_limit_takes<Term, Parameters, Item>;
     }
-    // Does a part ask for parameters of which the phase or coupling has none? That is an error of its own.
+    // Does a part need parameters that the phase or coupling has not? That is an error of its own.
     template <class Item, class... P>
     static constexpr bool asks_for_others(TypeList<P...>) {
         using Known = Concat<TypeList<void>, typename decltype(Item::coefficients)::List>;
         return (!contains<typename ParametersIn<P>::type, Known> || ...);
     }
-    // Are the parameters of a term filled in somewhere? In a part that is there by another term, too.
+    // Are the parameters of a term filled in somewhere? Also in a part that another term brings.
     template <class Item, class Term, class... T>
     static constexpr bool check_parameters(TypeList<T...>) {
         if constexpr (requires { typename Term::Parameters; }) {
@@ -231,7 +231,7 @@ private:
     static constexpr bool has_term_on(TypeList<T...>) {
         return ((acts_on<P, T> && std::is_same_v<typename Listed<T>::Term, Term>) || ...);
     }
-    // Has coupling C a term of the same effect on phase P as `Term`, and not what that needs beside it?
+    // Has coupling C a term of the same effect on phase P as `Term`, but not what that needs beside it?
     template <class C, class P, class Term>
     static constexpr bool lacks_company() {
         if constexpr (requires { typename Term::beside_in_couplings; })

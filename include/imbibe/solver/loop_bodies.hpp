@@ -1,5 +1,5 @@
-// The bodies of the loops: the only code that runs a scene and is compiled for its types. A body computes some
-// particles of a phase, by functions of the particle alone or by sums over its neighbours.
+// The bodies of the loops: the only run-time code that is compiled for a scene's types. A body computes some particles
+// of a phase, by functions of the particle alone or by sums over its neighbours.
 #pragma once
 
 #include <imbibe/solver/scene_engine.hpp>
@@ -97,11 +97,11 @@ private:
             using Reads = ReadsOnA<dim, N>;
             using T = Pack<Real, N::in_packs ? width : 1>;
             const P material = material_of<Scene, P>(engine); // a copy, as in a sweep
-            for (int i = begin; i < end; i += T::size) { // the last pack goes on into the room behind the particles
+            for (int i = begin; i < end; i += T::size) { // the last pack runs on into the padding
                 OwnValues<Reads, dim, T> own;
                 own.template load_consecutive<Fields>(std::as_const(s).data() + i, s.stride());
                 const OwnView<P, Reads, dim, T> a{own, material, engine.gravity, engine.step_length, engine.time};
-                if constexpr (is_particle_part<typename N::Part, dim, P>) // or else an error of its own
+                if constexpr (is_particle_part<typename N::Part, dim, P>) // reported by another rule
                     write_results<N, T>(s, i, part(a), Concat<typename N::Sets, typename N::Adds>{});
             }
         }
@@ -150,8 +150,8 @@ private:
         const auto parts = std::make_tuple(parts_from(engine, Filter<NodesFrom<S>::template Keep, Nodes>{})...);
         sweep_block<Nodes, S...>(engine, s, sources, parts, begin, end, all);
     }
-    // Not inlined: a compiler that sees how the columns of a source follow from a stride adds up addresses for every
-    // pack, where it else loads them.
+    // Not inlined: if the compiler knows that the columns of a source follow from a stride, it computes addresses for
+    // every pack instead of loading them.
     template <class Nodes, class... S, class Sources, class AllParts, std::size_t... k>
     [[gnu::noinline]] static void sweep_block(const Engine& engine, Phase& s, const Sources& sources,
                                               const AllParts& all_parts, int begin, int end,
@@ -159,8 +159,8 @@ private:
         using T = Pack<Real, width>;
         using Adds = typename AddsOfNodes<Nodes>::type;
         using OwnFields = typename OwnFieldsOf<dim, Nodes>::type;
-        // Copies: of the numbers where they are, the compiler of a scene in double must take it that sums are stored
-        // over them, and compute what follows from them for every run.
+        // Copies: otherwise, in double, the compiler must assume that sums are stored over these numbers, and
+        // recomputes what follows from them for every run.
         const P material = material_of<Scene, P>(engine);
         const std::tuple<typename S::B...> others{material_of<Scene, typename S::B>(engine)...};
         const std::array<SupportRadius, sizeof...(S)> supports{SupportRadius(std::get<k>(sources).support)...};

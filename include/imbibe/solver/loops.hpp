@@ -1,5 +1,5 @@
-// Loops over particles whose bodies are behind a pointer: threads and exceptions are then compiled once, and not for
-// every loop, and a body once instead of once with threads and once without.
+// Loops over particles with bodies behind a pointer: the code for threads and exceptions is then compiled once, not for
+// every loop, and a body once, not once with and once without threads.
 #pragma once
 
 #include <imbibe/core/parallel.hpp>
@@ -8,7 +8,7 @@
 
 namespace imbibe::detail {
 
-/// Refers to something that can be called as the signature says. It must live as long.
+/// A reference to a callable of this signature, which must outlive it.
 template <class Signature>
 class Callable;
 template <class Result, class... Argument>
@@ -26,13 +26,13 @@ private:
     Result (*call_)(const void*, Argument...);
 };
 
-/// parallel_blocks for calls that are long next to one through a pointer.
+/// parallel_blocks for bodies that take long compared with a call through a pointer.
 [[gnu::noinline]] IMBIBE_PER_BUILD inline void loop_blocks(int n, int block, int threads,
                                                            const Callable<void(int, int)>& f) {
     parallel_blocks(n, block, threads, f);
 }
 
-/// The greatest of the numbers, 0 or more, that f makes of blocks of n particles.
+/// The greatest of the numbers, at least 0, that f returns for blocks of n particles.
 [[gnu::noinline]] IMBIBE_PER_BUILD inline double greatest_of_blocks(int n, int threads,
                                                                     const Callable<double(int, int)>& f) {
     return parallel_reduce(n, threads, 0.0, f, [](double one, double other) { return std::max(one, other); });

@@ -1,4 +1,4 @@
-// Makes the tables of a scene (tables.hpp) from its composition: what the compiler knows as types becomes data.
+// Makes the tables of a scene (tables.hpp) from its composition: types become data.
 #pragma once
 
 #include <imbibe/core/phase.hpp>
@@ -17,7 +17,7 @@ constexpr int column_or_none() {
         return -1;
 }
 
-/// A default object of a type, whose type is forgotten.
+/// A default object of a type, with its type erased.
 template <class T>
 std::any any_of() {
     return T{};
@@ -89,8 +89,8 @@ class IMBIBE_PER_BUILD Lowering {
     static constexpr std::array<PhaseRow, sizeof...(P)> phase_rows(TypeList<P...>) {
         return {PhaseRowOf<dim, Scene, P>::row...};
     }
-    // Is phase P a fluid that coupling C pushes by pressure, and does its density, which follows from its motion, not
-    // count the other phase? A repulsion rises by itself.
+    // Is phase P a fluid that coupling C pushes by pressure, and whose density, which follows from its motion, does not
+    // count the other phase? A repulsion is fine: it rises by itself.
     template <class C, class P>
     static constexpr bool
         counts_no_other = is_fluid<P>&& has_effect_on<P, effects::continuity_equation>(typename P::terms{}) &&
@@ -140,7 +140,7 @@ class IMBIBE_PER_BUILD Lowering {
     }
 
 public:
-    /// Who has neighbours among whom.
+    /// Which phases have neighbours in which.
     using Links = typename LinksOf<dim, typename Scene::Nodes>::type;
 
 private:
@@ -251,7 +251,7 @@ private:
 public:
     /// The scene's phases, couplings and links.
     static constexpr SceneTable scene{.phases = phases, .couplings = couplings, .links = links};
-    /// What its terms reduce over the particles of a phase.
+    /// The reductions of its terms.
     static constexpr std::span<const Reduction<dim, Real>> reductions = reduction_array;
     /// One of its passes. @tparam What a pass of the composition
     template <class What>

@@ -1,5 +1,4 @@
-// All numbers of a phase's material and of a coupling, by name: to see whether two are the same, and to say how they
-// differ.
+// All numbers of a phase's material or of a coupling, by name: to compare two of them and report differences.
 #pragma once
 
 #include <imbibe/core/numbers_of.hpp>
@@ -11,11 +10,11 @@
 
 namespace imbibe::detail {
 
-/// What a number is, "sound speed", and the number with its unit, "28 m/s".
+/// The name of a number, "sound speed", and its value with unit, "28 m/s".
 using NamedNumbers = std::vector<std::pair<std::string, std::string>>;
 
-/// Those of the coefficients, by the name of their type: those of each type as one. A type that holds more than
-/// numbers, as one of a program's own may, is left out.
+/// Those of the coefficients, by the name of their type, all numbers of a type as one. A type with other members than
+/// numbers, which a program's own may have, is left out.
 template <class... Terms>
 void add_coefficients(NamedNumbers& numbers, const Coefficients<Terms...>& coefficients) {
     [[maybe_unused]] const auto add = [&]<class Parameters>(const Parameters& parameters) {

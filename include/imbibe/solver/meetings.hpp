@@ -1,5 +1,5 @@
-// Notices where two phases between which nothing acts, or two bodies of one total-Lagrangian phase, come so near to
-// each other that something should: they would pass through each other.
+// Detects when two phases without interaction, or two bodies of one total-Lagrangian phase, come so near that they
+// would pass through each other.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -15,48 +15,48 @@
 
 namespace imbibe {
 
-/// Two phases, or two bodies of one phase, that have met though nothing acts between them.
+/// Two phases, or two bodies of one phase, that have met although nothing acts between them.
 struct Meeting {
-    std::string first, second;    ///< the phases; of one phase twice the same
+    std::string first, second;    ///< the phases; the same twice for bodies of one
     std::vector<double> position; ///< of a particle of the first, m
     double distance;              ///< to the nearest one of the other, m
     double time;                  ///< s
-    std::string sentence;         ///< what happened, and the remedy
+    std::string sentence;         ///< what happened, and a remedy
 };
 
 namespace detail {
 
-/// Looks at pairs of phases that no coupling names, and at the bodies of total-Lagrangian phases.
+/// Checks pairs of phases that no coupling names, and the bodies of total-Lagrangian phases.
 ///
-/// A fluid meets another phase within the reach that a coupling of the two would have. Solids and walls meet where they
-/// are nearer than 0.99 of their mean spacing: their volumes overlap. What touches from the start, within 1.5 spacings,
-/// may stay: a solid that is held somewhere beside a wall, and two walls.
+/// A fluid meets another phase within the reach that a coupling of the two would have. Solids and walls meet when they
+/// are nearer than 0.99 of their mean spacing: their volumes overlap. Particles that touch from the start, within 1.5
+/// spacings, may stay: a solid that is held beside a wall, or two walls.
 class Meetings {
 public:
-    /// The phases between which nothing acts; to be called again where particles were added.
+    /// Sets the phases between which nothing acts; call it again when particles were added.
     void watch(const OutlineOfScene& scene, const std::vector<PhasePair>& pairs);
-    /// Two particles may have come nearer to each other by that, m.
+    /// Records that two particles may have approached by this distance, m.
     void approach(double way) {
         for (Watched& watched : watched_)
             watched.clear -= way;
     }
-    /// Can any have met since the last look?
+    /// May any have met since the last look?
     bool is_due() const {
         return std::any_of(watched_.begin(), watched_.end(), [](const Watched& w) { return w.is_due(); });
     }
-    /// Looks at those that can have met since the last look. Returns those that have.
+    /// Checks those that may have met since the last look. Returns those that have.
     std::vector<Meeting> look(const OutlineOfScene& scene, double time);
 
 private:
-    // By the number that a particle had when it was added. As many may have come and gone as there are numbers.
+    // By the number a particle had when it was added, in a map because most numbers may be gone.
     using ById = std::unordered_map<std::uint32_t, int>;
     struct Watched {
         PhasePair pair;
         bool begun = false, met = false;
-        ById touching{}, touched{}; // those of the first and of the second phase that touch from the start: 1
-        ById body{};                // of one phase with itself, the body that each belongs to
+        ById touching{}, touched{}; // those of the two phases that touch from the start: 1
+        ById body{};                // for one phase with itself, the body of each particle
         int bodies = 0;
-        double clear = 0; // two particles can come nearer by that without being within reach, m
+        double clear = 0; // how far two particles may approach without being within reach, m
 
         bool is_due() const { return !met && !(clear > 0) && (pair.first != pair.second || bodies > 1); }
         bool is(const PhasePair& other) const { return pair.first == other.first && pair.second == other.second; }

@@ -30,7 +30,7 @@ IMBIBE_CODE std::vector<Meeting> Meetings::look(const OutlineOfScene& scene, dou
             continue;
         const Outline &a = scene[watched.pair.first], &b = scene[watched.pair.second];
         if (a.size() == 0 || b.size() == 0) {
-            watched.clear = std::numeric_limits<double>::infinity(); // until some are added
+            watched.clear = std::numeric_limits<double>::infinity(); // until particles are added
             continue;
         }
         const bool wet = a.kind == Kind::fluid || b.kind == Kind::fluid;
@@ -40,7 +40,7 @@ IMBIBE_CODE std::vector<Meeting> Meetings::look(const OutlineOfScene& scene, dou
                 note_touching(watched, a, b, scene);
         }
         const double reach = wet ? watched.pair.reach : 0.99 * 0.5 * (a.spacing + b.spacing);
-        const double ahead = a.spacing + b.spacing; // so far it is looked beyond the reach
+        const double ahead = a.spacing + b.spacing; // search distance beyond the reach
         const Nearest nearest = nearest_pair(watched, a, b, reach + ahead, scene);
         watched.clear = std::max(nearest.distance - reach, 0.05 * ahead);
         if (nearest.i < 0)

@@ -1,4 +1,4 @@
-// How particles move: velocities by accelerations, positions by velocities, and how fast that is.
+// How particles move: velocities from accelerations, positions from velocities, and the resulting speeds.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -7,13 +7,13 @@
 
 namespace imbibe::detail {
 
-/// What SupportedShare is made of, in one step.
+/// Computes SupportedShare in one step.
 template <int dim, class Real>
 class Support {
 public:
     Support() = default;
     /// @param g of the scene, m/s^2
-    /// @param sound how far sound comes in the step, in support radii
+    /// @param sound how far sound travels in the step, in support radii
     Support(const Vector<double, dim>& g, double sound)
         : follow(static_cast<Real>(std::clamp(sound / supports, 0.0, 1.0))) {
         const double g2 = squared_norm(g);
@@ -22,20 +22,20 @@ public:
             per_weight[d] = g2 > 0 ? static_cast<Real>(g[d] / g2) : Real(0);
         }
     }
-    /// What component d of an acceleration adds to (g - a).g/|g|^2.
+    /// The contribution of component d of an acceleration to (g - a).g/|g|^2.
     IMBIBE_INLINE Real along(std::size_t d, Real a) const {
         const int k = static_cast<int>(d);
         return per_weight[k] * (gravity[k] - a);
     }
-    /// The mean, and what it is after this step. It follows at once where nothing was supported: so water that stands
-    /// is borne from its first step on, and no blow counts for more than its weight.
+    /// The running mean after this step. Without previous support it follows at once: water at rest is supported from
+    /// its first step on, and a blow counts for no more than its weight.
     IMBIBE_INLINE Real mean(Real before, Real now) const {
         return before == 0 ? std::min(std::max(now, Real(0)), Real(1)) : before + follow * (now - before);
     }
 
 private:
-    // Over how long it is a mean: as long as sound takes for so many support radii. Without it (0) sound would be felt
-    // as support, and pass undamped by what smooths densities; with more, water that lands is taken for falling longer.
+    // Averaging time: as long as sound takes for this many support radii. With 0, sound would count as support, and
+    // density smoothing would not damp it; with more, landing water would count as falling for longer.
     static constexpr double supports = 10;
     Vector<Real, dim> gravity{}, per_weight{};
     Real follow = 0;
@@ -48,30 +48,30 @@ public:
     using Phase = typename Base::Phase;
     using Base::Base, Base::phases;
 
-    /// velocity += dt * acceleration, for what moves and is not held, of the phases that are chosen; measures the
+    /// velocity += dt * acceleration, for particles of the chosen phases that move and are not held; measures the
     /// motion.
     void kick(double dt, const Bits& chosen = all_phases);
-    /// position += dt * (velocity + transport correction), for the same and for what moves as prescribed.
+    /// position += dt * (velocity + transport correction), for these and for prescribed motion.
     void drift(double dt, const Bits& chosen = all_phases);
 
-    /// Keeps a copy of all that is integrated: positions, velocities, states. For integrators with several stages.
+    /// Keeps a copy of everything integrated: positions, velocities, states. For integrators with several stages.
     void remember();
     /// What was remembered, advanced by dt with the present rates (of positions: the present velocities).
     /// Neighbours and the order of the particles must not have changed since.
     void advance_remembered(double dt);
 
-    /// to += by * (velocity + transport correction), a vector field of a phase: by how it moves, or is moved by a host.
+    /// to += by * (velocity + transport correction), a vector field of a phase, also for one that a host moves.
     void add_velocities(const Phase& s, Real* to, double by) const;
     /// Keeps a copy of some sums, of all phases.
     void keep_sums(std::span<const ColumnRange> columns);
-    /// These sums as they were kept. The order of the particles must not have changed since.
+    /// Restores these sums. The order of the particles must not have changed since.
     void restore_sums(std::span<const ColumnRange> columns);
 
     /// Measures the speeds of every phase; its acceleration is at least gravity. For the first step.
     void measure_motion();
 
-    /// The same for velocities that a host has made greater since the last step. Speeds that only differ in how they
-    /// are rounded stay what they are: to look at a scene changes nothing.
+    /// The same for velocities that a host has increased since the last step. Differences by rounding are ignored:
+    /// looking at a scene changes nothing.
     void notice_greater_speeds();
 
 protected:
@@ -93,7 +93,7 @@ private:
     void for_each_kept(std::span<const ColumnRange> columns, const F& f) {
         int last = -1;
         std::size_t at = 0;
-        for (const ColumnRange& range : columns) { // a phase's are one after the other
+        for (const ColumnRange& range : columns) { // the columns of a phase are contiguous
             at = range.phase == last ? at : 0;
             last = range.phase;
             for (int c = 0; c < range.components; ++c)
@@ -103,13 +103,12 @@ private:
     void advance_state(Phase& s, int column, const Real* old, int rate_column, double dt) const;
 
     // velocity = old + dt * acceleration; the speeds and the greatest acceleration; the supported share, if a term
-    // reads it. Compiled for what is stored and what is not: a branch in the loop would keep it from being computed in
-    // packs.
+    // reads it. Compiled for each set of stored fields: a branch in the loop would prevent packs.
     Motion advance_velocities(Phase& s, const Real* old, double dt) const;
     template <bool has_mobility, bool has_share>
     Motion advance_velocities(Phase& s, const Real* old, double dt) const;
-    // With a transport correction it is not known how far it was: then neighbours are found anew in every step. How far
-    // walls were is seen by their places.
+    // With a transport correction the distance is unknown, so neighbours are found anew in every step. The motion of
+    // walls is measured from their positions.
     static void note_way(Phase& s, double dt) {
         if (!s.row->moves)
             return;

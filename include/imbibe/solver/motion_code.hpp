@@ -45,7 +45,7 @@ void Mover<dim, Real>::advance_remembered(double dt) {
     for (std::size_t k = 0; k < phases.size(); ++k) {
         Phase& s = phases[k];
         const Real* old = s.remembered.data();
-        if (s.row->drifts) { // positions first: they need the velocities as they are
+        if (s.row->drifts) { // positions first: they need the old velocities
             advance_positions(s, old, dt);
             note_way(s, dt);
             old += dim * s.stride();
@@ -108,7 +108,7 @@ void Mover<dim, Real>::measure_motion() {
             s.motion.acceleration = acceleration;
         }
     };
-    measure_all(); // the means, of which the frame is made
+    measure_all(); // the means, which define the frame
     this->choose_frame();
     measure_all();
 }

@@ -1,5 +1,5 @@
-// Who is near whom: sorts the particles of a scene and finds their neighbours, those of now in every step and those of
-// the stress-free configuration once.
+// Neighbour lists: sorts the particles of a scene and finds their neighbours, the present ones in every step and those
+// of the stress-free configuration once.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -12,7 +12,7 @@
 
 namespace imbibe::detail {
 
-/// The motion of n particles from that of blocks, which have the sum of the velocities for their mean.
+/// The motion of n particles from that of blocks, in which `mean` holds the sum of the velocities.
 [[gnu::noinline]] IMBIBE_PER_BUILD inline Motion motion_of_blocks(int n, int threads,
                                                                   const Callable<Motion(int, int)>& of_block) {
     Motion all = parallel_reduce(n, threads, Motion{}, of_block, [](const Motion& one, const Motion& other) {
@@ -35,47 +35,44 @@ public:
     using Pairs = PairDistances<dim, Real, Base::width>;
     using Base::Base, Base::phase, Base::phases, Base::links, Base::support, Base::support_of;
 
-    /// Once, when the particles are there: puts total-Lagrangian phases that have grown into the order of their
-    /// reference positions and finds the neighbours they keep.
+    /// Called once particles are added: sorts total-Lagrangian phases that have grown by their reference positions and
+    /// finds their permanent neighbours.
     void find_reference_neighbours();
 
-    /// How many steps neighbours serve; see Settings::search_interval.
+    /// Number of steps that neighbour lists serve; see Settings::search_interval.
     int search_interval = 1;
-    /// How much further than the support radius they are looked for, as a share of it; see Settings::search_skin.
+    /// Skin of the lists, as a share of the support radius; see Settings::search_skin.
     double search_skin = 0;
 
-    /// In every step: sorts what moves and finds the neighbours of now, if it is due.
+    /// In every step: sorts moving phases and finds the present neighbours, if that is due.
     void find_neighbours();
-    /// After particles have moved, if neighbours stay as they are: what others see of them.
+    /// After particles have moved with unchanged neighbour lists: updates the positions that others see.
     void refresh_places();
-    /// The same for one phase, if its own particles look for neighbours where they are now.
+    /// The same for one phase, if its own particles have present neighbours among themselves.
     void refresh_places_among(int k);
-    /// Will `find_neighbours` search, if it is called `ahead` calls from now and nothing travels far until then?
+    /// Will the call of `find_neighbours` that is `ahead` calls from now search, if nothing travels far until then?
     bool search_is_due(int ahead = 1) const;
     /// Makes the next search due.
     void forget_neighbours() { steps_since_search = search_interval; }
 
-    /// Sorts what moves and finds the neighbours of now.
+    /// Sorts moving phases and finds the present neighbours.
     void search_neighbours();
 
-    /// How far neighbours are looked for, m.
+    /// Search radius, m.
     double reach_of(double support_radius) const { return (1 + search_skin) * support_radius; }
 
     /// Are the boxes around two phases further apart than any term between them reaches, along a side that is not
-    /// periodic? So is a phase without particles from every other.
+    /// periodic? Always true for a phase without particles.
     bool are_apart(int a, int b) const;
 
-    /// How fast a phase moves: what moves by itself as it was after the last step, walls, which a host moves, as they
-    /// are now.
+    /// How fast a phase moves: for moving phases after the last step; for walls, which a host moves, now.
     Motion motion_now(int k) const;
 
-    /// The pairs of a link; as they are now, if no particle was added or removed since the last search.
+    /// The pairs of a link with present positions, if no particle was added or removed since the last search.
     Pairs pairs_of(const Link& link) const;
-    /// The first link of a coupling, if it has one. The link the other way round, which it may have as well, has the
-    /// same pairs.
+    /// The first link of a coupling, if it has one. A link in the other direction has the same pairs.
     const Link* link_of_coupling(int k) const;
-    /// The distance of the nearest particles of a coupling's phases, m, as it was when it was measured last; infinite
-    /// where no term asks for it.
+    /// The last measured distance of the nearest particles of a coupling's phases, m; infinite if no term asks for it.
     double nearest_of_coupling(int k) const {
         const bool asked = this->table.couplings[static_cast<std::size_t>(k)].asks_for_nearest;
         const Link* const link = asked ? link_of_coupling(k) : nullptr;
@@ -85,14 +82,14 @@ public:
     double mean_neighbours(const Link& link) const;
 
 protected:
-    /// The speeds and the mean velocity of a phase as it is now; what has no velocities rests.
+    /// The speeds and the mean velocity of a phase now; 0 for a phase without velocities.
     Motion velocities_of(const Phase& s) const;
 
-    /// Chooses the frame in which speeds are measured: that of the walls, at their mean velocity; that of particles
-    /// that are held, which rest; and where there are neither, that of the mean of all that moves. Once a step, so that
-    /// the speeds of all phases belong to one frame; what moves by itself is taken as it was after the last step.
+    /// Chooses the frame in which speeds are measured: that of the walls, at their mean velocity; at rest, if particles
+    /// are held; without either, that of the mean velocity of all moving particles. Once a step, so that the speeds of
+    /// all phases belong to one frame; moving phases count with their velocities after the last step.
     void choose_frame();
-    /// Brings what others see of the positions of a total-Lagrangian phase up to date, if any can.
+    /// Updates the positions of a total-Lagrangian phase that others see, if any phase can see it.
     void refresh_seen_places(int k) {
         if (const Phase& s = phase(k); s.row->keeps_reference() && s.within_reach)
             this->seen_of(k).refresh_places(s, this->threads);
@@ -113,11 +110,11 @@ private:
     static bool involves(const Link& link, int k) {
         return !link.row.reference && (link.row.a == k || link.row.b == k);
     }
-    // Does any sweep over the neighbours of now involve the phase?
+    // Does any sweep over present neighbours involve the phase?
     bool takes_part(int k) const {
         return std::any_of(links.begin(), links.end(), [&](const Link& link) { return involves(link, k); });
     }
-    // Is the phase, at the last search, within reach of any that it has a sweep over the neighbours of now with?
+    // Was the phase, at the last search, within reach of any with which it has a sweep over present neighbours?
     bool is_near_any(int k) const {
         return std::any_of(links.begin(), links.end(),
                            [&](const Link& link) { return involves(link, k) && !are_apart(link.row.a, link.row.b); });

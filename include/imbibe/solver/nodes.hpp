@@ -1,5 +1,5 @@
-// From phases and couplings to nodes: every part of every term on every phase it acts on, with the fields each phase
-// therefore has. All of it is types; nothing here exists at run time.
+// From phases and couplings to nodes: every part of every term on every phase it acts on, and the fields that each
+// phase needs for them. All of it is types; nothing here exists at run time.
 #pragma once
 
 #include <imbibe/core/dry_run.hpp>
@@ -20,11 +20,11 @@ concept IsPhase = !IsCoupling<T> && requires {
     typename T::motion;
 };
 
-/// A coupling of two phases; of anything else nothing is made.
+/// A coupling of two phases; anything else gives nothing.
 template <class T>
 concept CouplesPhases = IsCoupling<T> && IsPhase<typename T::First> && IsPhase<typename T::Second>;
 
-/// How far a term reaches that says so itself, with the coefficients of Owner, a phase or a coupling.
+/// The reach of a term with a support radius of its own, with the coefficients of Owner, a phase or a coupling.
 template <class Term_, class Owner_>
 struct OwnSupport {
     using Term = Term_;
@@ -43,7 +43,7 @@ struct Node {
     using Adds = typename AddsOf<P>::type;
     using Sets = typename SetsOf<P>::type;
     static constexpr bool reference = uses_reference<P>;
-    /// What says how far it reaches; void: the phases do.
+    /// The type that gives its reach; void: the phases'.
     using Reach = std::conditional_t<TermOf<Term, Owner>::says_support, OwnSupport<Term, Owner>, void>;
     static constexpr bool once = is_once<P>;
     static constexpr bool in_packs = is_in_packs<P>;
@@ -73,7 +73,7 @@ template <class P, class Term>
 struct TargetOf<Into<P, Term>> {
     using type = TypeList<P>;
 };
-/// The phases that the terms of a coupling are sent into.
+/// The phases into which a coupling sends terms.
 template <class Terms>
 struct TargetsOf;
 template <class... Term>
@@ -104,11 +104,11 @@ struct KeepPhases : std::bool_constant<IsPhase<T>> {};
 template <class T>
 struct KeepCouplings : std::bool_constant<CouplesPhases<T>> {};
 
-// A sum into the acceleration of something that does not move is not computed.
+// A sum into the acceleration of a phase that does not move is skipped.
 template <class N>
 struct KeepUseful : std::bool_constant<N::A::moves || !std::is_same_v<typename N::Adds, Fields<acceleration>>> {};
 
-/// Can the term be one of phase P? One that asks for elastic moduli only if P has them.
+/// Can the term belong to phase P? One that needs elastic moduli only if P has them.
 template <class P, class Term>
 inline constexpr bool suits = true;
 template <class P, class Term>
@@ -151,8 +151,8 @@ struct NodesOfCoupling<C, TypeList<Term...>> {
     using type = Concat<typename NodesOfCouplingTerm<C, Term>::type...>;
 };
 
-// The same particle part on the same phase, asked for by several terms, runs once: the first one's coefficients. So
-// does the same sum over the same neighbours, asked for by several terms of one phase or coupling.
+// The same particle part on the same phase runs once for all terms that need it, with the first one's coefficients. So
+// does the same sum over the same neighbours, for the terms of one phase or coupling.
 template <int dim, class N>
 inline constexpr bool is_pair_node = is_pair_part<typename N::Part, dim, typename N::A, typename N::B>;
 
@@ -267,7 +267,7 @@ template <int dim, class P, class Nodes>
 struct CollectFields;
 template <int dim, class P, class... N>
 struct CollectFields<dim, P, TypeList<N...>> {
-    // Everything has a position and a mass; what moves has a velocity and, by forces, an acceleration.
+    // Every phase has a position and a mass; a moving one has a velocity and, if moved by forces, an acceleration.
     using Base =
         std::conditional_t<P::moves, Fields<position, velocity, acceleration, mass>,
                            std::conditional_t<drifts<P>, Fields<position, velocity, mass>, Fields<position, mass>>>;

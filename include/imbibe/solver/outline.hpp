@@ -1,5 +1,5 @@
-// A scene as checks of it see it, whatever its dimension, its numbers and its terms are: phases by name, kind, spacing
-// and places of particles. Checks that work on outlines are ordinary code, which no scene makes a compiler read anew.
+// A scene as its checks see it, for any dimension, number type and terms: phases with name, kind, spacing and particle
+// positions. Checks on outlines are ordinary code, which no scene compiles anew.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -45,17 +45,17 @@ struct Outline {
     std::string name;
     Kind kind = Kind::wall;
     double spacing = 0, support_radius = 0; ///< m
-    OutlineColumns now;                     ///< where its particles are, without the origin, m
-    OutlineColumns at_rest;                 ///< where they are free of stress, in a total-Lagrangian phase; else `now`
-    OutlineColumns mobility;                ///< 0 where a particle is held; no column where none can be
+    OutlineColumns now;                     ///< present positions, without the origin, m
+    OutlineColumns at_rest;                 ///< stress-free positions in a total-Lagrangian phase; else `now`
+    OutlineColumns mobility;                ///< 0 for held particles; no column if none can be held
     const std::uint32_t* ids = nullptr;     ///< ids[i] is the number particle i had when it was added
     long long ever_added = 0;               ///< all ids are below
-    bool knows_bodies = false;              ///< is it total-Lagrangian, and does nothing act between its bodies?
+    bool knows_bodies = false;              ///< is it total-Lagrangian without interaction between its bodies?
 
     int size() const { return now.n; }
 };
 
-/// What phases share.
+/// Properties that phases share.
 struct OutlineOfScene {
     std::vector<Outline> phases;
     int dim = 3;
@@ -64,7 +64,7 @@ struct OutlineOfScene {
     int threads = 1;
 
     const Outline& operator[](int k) const { return phases[static_cast<std::size_t>(k)]; }
-    /// "(0.1, 0.2) m", in the coordinates of the world.
+    /// "(0.1, 0.2) m", in world coordinates.
     std::string text_of(const Coordinates& place) const {
         std::string words = "(";
         for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d)
@@ -73,7 +73,7 @@ struct OutlineOfScene {
     }
 };
 
-/// Two phases of a scene by their numbers, and how far they would see, or see, each other, m.
+/// Two phases of a scene by their numbers, and the reach between them, m.
 struct PhasePair {
     int first, second;
     double reach;
@@ -90,7 +90,7 @@ struct OutlineBox {
             upper[d] = std::max(upper[d], x[d]);
         }
     }
-    /// Is a place in it or within `reach` of it, judged along the sides that do not repeat?
+    /// Is a place within `reach` of the box, judged along the sides that are not periodic?
     bool is_near(const Coordinates& x, double reach, const Coordinates& period) const {
         for (std::size_t d = 0; d < 3; ++d)
             if (period[d] == 0 && !(x[d] >= lower[d] - reach && x[d] <= upper[d] + reach))
@@ -100,18 +100,17 @@ struct OutlineBox {
 };
 OutlineBox box_around(const OutlineColumns& columns);
 
-/// Some places, sorted into cells, for looking up which of them are near another. For checks; the search of a run is in
-/// search/.
+/// Places sorted into cells, to look up which are near another. For checks; the search of a run is in search/.
 class PlacesByCell {
     using Cell = std::array<long long, 3>;
 
 public:
-    /// @param reach how far is near, m; a period at most, so that no place is seen twice
+    /// @param reach the search radius, m; at most a period, so that no place is found twice
     PlacesByCell(const std::vector<Coordinates>& places, double reach, const OutlineOfScene& scene);
-    /// The places in the order of the cells: looked up in this order, each finds the cells that the one before had.
+    /// The places in the order of the cells: looked up in this order, each reuses the cells of the one before.
     const std::vector<int>& order() const { return numbers_; }
 
-    /// Looks up what is near places, one after the other. For one thread.
+    /// Looks up places near others, one after the other. For one thread.
     class Lookup {
     public:
         explicit Lookup(const PlacesByCell& cells) : cells_(cells) {}
@@ -156,7 +155,7 @@ public:
     };
 
 private:
-    static constexpr long long most = 1ll << 20; // cells in a direction; what is beyond lies in the last one
+    static constexpr long long most = 1ll << 20; // cells in a direction; places beyond lie in the last one
     double reach_;
     Coordinates period_, lower_, width_{};
     Cell cells_{}; // in a period
@@ -191,8 +190,8 @@ private:
     }
 };
 
-/// Numbers the bodies that places make: two that are nearer than `reach`, m, belong to one. The i-th number is the body
-/// of place i; bodies are numbered in the order of their first places.
+/// Numbers the bodies that places form: two places nearer than `reach`, m, belong to one body. The i-th number is the
+/// body of place i; bodies are numbered in the order of their first places.
 std::vector<int> bodies_of(const OutlineColumns& columns, double reach, const OutlineOfScene& scene);
 
 } // namespace imbibe::detail

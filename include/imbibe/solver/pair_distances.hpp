@@ -1,5 +1,5 @@
-// What lists of neighbours tell without any term: how near the nearest two particles are, how many neighbours there
-// are, and how much of what is around a particle another phase fills.
+// Results from neighbour lists without terms: the distance of the nearest pair, the number of neighbours, and the share
+// of a particle's surroundings that another phase fills.
 #pragma once
 
 #include <imbibe/core/parallel.hpp>
@@ -14,20 +14,20 @@
 
 namespace imbibe::detail {
 
-/// The pairs of two phases, or of one with itself, as its list of runs has them.
+/// The pairs of two phases, or of one with itself, from its list of runs.
 template <int dim, class Real, int width>
 class IMBIBE_PER_BUILD PairDistances {
 public:
     using Outside = std::array<std::vector<Real>, static_cast<std::size_t>(dim)>;
-    /// @param targets the particles whose neighbours are listed, and @param sources those that the list counts
+    /// @param targets the particles whose neighbours are listed, and @param sources those in the lists
     /// @param outside how far each target was outside the periodic box at the search, m, by direction and target; null
-    /// where all were inside
+    /// if all were inside
     PairDistances(const search::RunList& runs, const search::Points<dim, Real>& targets,
                   const search::Points<dim, Real>& sources, const search::Periodic<dim>& periodic,
                   const Outside* outside)
         : runs_(runs), targets_(targets), sources_(sources), periodic_(periodic), outside_(outside) {}
 
-    /// The distance of the nearest pair, m; infinite where there is none.
+    /// The distance of the nearest pair, m; infinite if there is none.
     double nearest(int threads) const {
         return std::sqrt(parallel_reduce(
             targets_.n, threads, std::numeric_limits<double>::infinity(),
@@ -50,7 +50,7 @@ public:
             [](double one, double other) { return std::min(one, other); }));
     }
 
-    /// The source that is nearest to target i, and how far it is, m; -1 and infinite where it has no neighbour.
+    /// The source nearest to target i, and its distance, m; -1 and infinite if it has no neighbour.
     std::pair<int, double> nearest_of(int i) const {
         int nearest = -1;
         double least2 = std::numeric_limits<double>::infinity();
@@ -62,8 +62,8 @@ public:
         });
         return {nearest, std::sqrt(least2)};
     }
-    /// The median distance of the nearest other particle over a sample, m, of those that have one within reach; 0 where
-    /// none has. For a phase among itself.
+    /// The median distance of the nearest other particle over a sample, m, of those that have one within reach; 0 if
+    /// none has. For a phase with itself.
     double median_nearest() const {
         std::vector<double> nearest;
         const int stride = std::max(1, targets_.n / 1000);
@@ -79,7 +79,7 @@ public:
         std::nth_element(nearest.begin(), middle, nearest.end());
         return *middle;
     }
-    /// The mean number of neighbours nearer than `support`, m, the particle itself not counted, over a sample.
+    /// The mean number of neighbours nearer than `support`, m, without the particle itself, over a sample.
     double mean_number(double support) const {
         if (targets_.n == 0 || runs_.is_empty())
             return 0;
@@ -90,15 +90,15 @@ public:
         return static_cast<double>(found) / static_cast<double>(sampled);
     }
 
-    /// How much of the surroundings of target i the sources fill, each of which has the volume spacing^dim:
-    /// sum_b V_b W(|x_i - x_b|) with Wendland's C2 over `support`, m. In a plane face it is a half.
+    /// The share of the surroundings of target i that the sources fill, each with the volume spacing^dim: sum_b V_b
+    /// W(|x_i - x_b|) with Wendland's C2 over `support`, m. A half at a plane face.
     double filled_around(int i, double support, double spacing) const {
         const double peak = WendlandC2::normalisation<dim>() * power<dim>(spacing / support);
         double share = 0;
         for_each(i, [&](int, double distance2) { share += peak * WendlandC2::value(std::sqrt(distance2) / support); });
         return share;
     }
-    /// Is target i without neighbours? That is known at once.
+    /// Has target i no neighbours? Costs nothing.
     bool is_alone(int i) const { return runs_[i].is_empty(); }
 
 private:
@@ -120,7 +120,7 @@ private:
             }
         });
     }
-    // Coordinate d of target i as it is seen from an image of the domain.
+    // Coordinate d of target i as seen from an image of the domain.
     IMBIBE_INLINE Real place_for(int image, int i, int d) const {
         const auto k = static_cast<std::size_t>(d);
         const Real length = static_cast<Real>(periodic_.length[k]), here = targets_.x[k][i];

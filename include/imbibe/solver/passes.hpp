@@ -1,8 +1,7 @@
-// Parts of a step, for integrators that do not evaluate all terms at once, or some more often than others: which rows
-// of the schedule belong to them. A pass is what an engine runs: rows, the plan that orders them, the columns they add
-// to, which start from zero, and `gravity`: does the acceleration of all phases start from gravity, or is something in
-// it already? A pass that is run several times has columns that are `kept`: they start each time from what another
-// pass, which is run once, has put into them.
+// Parts of a step, for integrators that do not evaluate all terms at once, or some more often than others. A pass is
+// what an engine runs: rows of the schedule, the plan that orders them, the columns they add to, which start from zero,
+// and `gravity`: does the acceleration of all phases start from gravity, or from existing values? A pass that runs
+// several times has columns that are `kept`: they start each time from the result of another pass, which runs once.
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>
@@ -11,7 +10,7 @@
 
 namespace imbibe::detail {
 
-/// The rows that are not in `some`, and all that write what they read.
+/// The rows that are not in `some`, with all rows that write what they read.
 template <std::size_t n>
 constexpr Bits all_but(const Bits& some, const std::array<Row, n>& rows) {
     Bits chosen;
@@ -21,8 +20,8 @@ constexpr Bits all_but(const Bits& some, const std::array<Row, n>& rows) {
     return with_what_they_read(rows, chosen);
 }
 
-/// The chosen ones of `rows` with all that writes what they read, and with all that adds to a sum that they add to, but
-/// for the columns `partial`: of `all`, which are the same rows, none of them left empty.
+/// The chosen ones of `rows` with all rows that write what they read, and all that add to the sums that they add to,
+/// except the columns `partial`: out of `all`, the same rows, none of them left empty.
 template <std::size_t n>
 constexpr Bits with_whole_sums(std::array<Row, n> rows, const std::array<Row, n>& all, Bits chosen,
                                const Bits& partial) {
@@ -42,7 +41,8 @@ constexpr Bits with_whole_sums(std::array<Row, n> rows, const std::array<Row, n>
     return chosen;
 }
 
-/// The rows of a step that advance states, with all that their rates are made of; and all others, with what these need.
+/// The rows of a step that advance states, with all rows that their rates depend on; and all others, with the rows they
+/// need.
 template <class Scene>
 class RowsForStates {
     static constexpr Bits find_states() {
@@ -65,7 +65,7 @@ public:
     using Forces = Filter<IsForForces, typename Scene::StepRows>;
 };
 
-/// What the rates of states are made of; the states advance at its end.
+/// The rows that the rates of states depend on; the states advance at its end.
 template <class Scene>
 struct States {
     using Rows = typename RowsForStates<Scene>::States;
@@ -74,7 +74,7 @@ struct States {
     static constexpr bool gravity = false;
 };
 
-/// All other terms: forces, with the states as they are.
+/// All other terms: forces, with unchanged states.
 template <class Scene>
 struct Forces {
     using Rows = typename RowsForStates<Scene>::Forces;
@@ -103,7 +103,7 @@ public:
     using Others = Filter<IsOther, typename Scene::StepRows>;
 };
 
-/// The terms of phase P itself, which act on top of what couplings have put into its acceleration and its other sums.
+/// The terms of phase P itself, added to what couplings have put into its acceleration and its other sums.
 template <class Scene, class P>
 struct OwnTerms {
     using Rows = typename RowsOfPhase<Scene, P>::Own;
@@ -123,8 +123,8 @@ struct AllButOwnTerms {
     static constexpr bool gravity = true;
 };
 
-/// The rows of the terms in a list, and those of all others. A function of a particle that both ask for, such as
-/// Volume, is one of the others; what only the list's terms read is with them.
+/// The rows of the terms in a list, and those of all others. A function of a particle that both need, such as Volume,
+/// belongs to the others; what only the list's terms read belongs to the list.
 template <class Scene, class List>
 class RowsOfTerms {
     template <class Part, class... T>
@@ -144,7 +144,7 @@ class RowsOfTerms {
             return contains<typename N::Term, List> &&
                    (is_pair_node<Scene::dimension, N> || !is_shared<typename N::Part>(typename Scene::All{}));
     }
-    // The rows of a step; those that are listed are empty, so that none of them is found by what it writes.
+    // The rows of a step; listed ones are empty, so that none is found by what it writes.
     template <class... N>
     static constexpr auto rows_of_others(TypeList<N...>) {
         return std::array<Row, sizeof...(N)>{(is_listed<N>() ? Row{} : Scene::template any_row<N>())...};
@@ -179,7 +179,8 @@ class RowsOfTerms {
         else
             return true;
     }
-    // What a term sets may be a help for others (a volume), but no state: that would lag behind the particles.
+    // A term of the list may set a helper field for others (a volume), but no state, which would lag behind the
+    // particles.
     template <class N, class... F>
     static constexpr bool check_set(TypeList<F...>) {
         if constexpr ((F::given || ...))
@@ -211,8 +212,8 @@ class RowsOfTerms {
     static constexpr Bits columns_of(TypeList<P...>) {
         return (Bits{} | ... | column_of<F, P>());
     }
-    // Of all others: what moves particles or advances their states, and all that this is made of. A sum other than of
-    // accelerations is whole with them, so it takes along rows of the list that add to it.
+    // The others are the rows that move particles or advance their states, and all rows these depend on. A sum other
+    // than of accelerations must be complete with them, so it includes rows of the list that add to it.
     static constexpr Bits find_others() {
         constexpr auto rows = rows_of_others(typename Scene::StepRows{});
         constexpr Bits motion = columns_of<Rate<Velocity>>(typename Scene::Phases{}) |
@@ -235,13 +236,13 @@ class RowsOfTerms {
 public:
     using Own = Filter<IsListed, typename Scene::StepRows>;
     using Others = Filter<IsOther, typename Scene::StepRows>;
-    /// True, or a compile error: are the terms of the list in the scene, and fit to be evaluated by themselves?
+    /// True, or a compile error: are the terms of the list in the scene, and can they be evaluated separately?
     static constexpr bool check() { return check_all(List{}) && check_rows(typename Scene::StepRows{}); }
     /// The acceleration of every phase that moves.
     static constexpr Bits accelerations() { return columns_of<Rate<Velocity>>(typename Scene::Phases{}); }
 };
 
-/// The terms in a list, with what only they ask for, with the states as they are.
+/// The terms in a list, with what only they need, with unchanged states.
 template <class Scene, class List>
 struct TermsOf {
     using Rows = typename RowsOfTerms<Scene, List>::Own;
@@ -250,7 +251,7 @@ struct TermsOf {
     static constexpr bool gravity = true;
 };
 
-/// All other terms, which act on top of what those in the list have put into accelerations; states advance.
+/// All other terms, added to what those in the list have put into accelerations; states advance.
 template <class Scene, class List>
 struct AllButTermsOf {
     using Rows = typename RowsOfTerms<Scene, List>::Others;

@@ -16,8 +16,8 @@
 
 namespace imbibe::detail {
 
-/// The values of one field of all particles: n rows, one column per component. Their order in memory is said here, as a
-/// host may have changed Eigen's default (EIGEN_DEFAULT_TO_ROW_MAJOR).
+/// The values of one field of all particles: n rows, one column per component. Their order in memory is set here
+/// explicitly, because a host may have changed Eigen's default (EIGEN_DEFAULT_TO_ROW_MAJOR).
 template <class Real, int columns>
 using FieldValues = Eigen::Matrix<Real, Eigen::Dynamic, columns, Eigen::ColMajor>;
 
@@ -26,7 +26,7 @@ using FieldValues = Eigen::Matrix<Real, Eigen::Dynamic, columns, Eigen::ColMajor
 template <class Numbers>
 using FieldView = Eigen::Map<Numbers, 0, Eigen::OuterStride<>>;
 
-/// A view of a phase. It holds no numbers and is worth as long as the scene.
+/// A view of a phase. It holds no numbers and is valid as long as the scene.
 /// @tparam List the fields of the phase, @tparam Store a PhaseStore, or a const one: then nothing can be changed
 template <class P, class List, class Store>
 class PhaseState {
@@ -54,7 +54,7 @@ public:
     /// Component k of the phase's fields, for all particles.
     Number* column(int k) const {
         if constexpr (!std::is_const_v<Store>)
-            store.note_all_written(); // by whoever asks for it
+            store.note_all_written(); // by the caller, possibly
         return store.column(k);
     }
     template <class F>

@@ -1,6 +1,6 @@
-// The particles of one phase: one stretch of memory per component of each field (structure of arrays), and the order in
-// which they lie there. Which column is what says the phase's row in the tables of the scene. What others see of a
-// phase that stays in its own order is in seen.hpp.
+// The particles of one phase: a contiguous column per component of each field (structure of arrays), and the order of
+// the particles in them. The phase's row in the tables of the scene says which column is which. seen.hpp has the copy
+// that others see of a phase that stays in its own order.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -23,7 +23,7 @@ namespace imbibe::detail {
 struct Motion {
     double speed = 0;             ///< the greatest speed in the scene's frame (SceneStore::frame), m/s
     double acceleration = 0;      ///< the greatest acceleration, m/s^2
-    double fastest = 0;           ///< the greatest of the velocities as they are, m/s
+    double fastest = 0;           ///< the greatest velocity, without change of frame, m/s
     std::array<double, 3> mean{}; ///< of the velocities, m/s
 };
 
@@ -38,13 +38,13 @@ public:
     std::any material;              ///< an object of the phase's type
     std::vector<std::uint32_t> ids; ///< the number of each particle in the order in which they were added
     Motion motion;
-    double travelled = 0; ///< how far its particles can have come since the last search, m
+    double travelled = 0; ///< an upper bound of its particles' displacement since the last search, m
 
     explicit PhaseStore(const PhaseRow& of) : row(&of), name(of.name()), material(of.material()) {}
 
     PhaseNumbers numbers() const { return row->numbers(material); }
     int size() const { return n; }
-    /// The density of what particle i consists of, kg/m^3: in the pores of a skeleton not that of all of the space.
+    /// The density of the material of particle i, kg/m^3: in the pores of a skeleton not that per total volume.
     double own_density(int i) const {
         const double share = row->porosity >= 0 ? static_cast<double>(column(row->porosity)[i]) : 1; // 0: not set yet
         return static_cast<double>(column(row->density)[i]) / (share > 0 ? share : 1);
@@ -73,18 +73,18 @@ public:
     /// Keeps only the particles for which keep[i] is true.
     void compress(const std::vector<char>& keep);
 
-    /// Pair loops load whole packs, also beyond the last particle. What they find there is masked, but must be legal
-    /// numbers in any formula (a density of zero is not): copies of the last particle. To be called after writing.
+    /// Pair loops load whole packs, also beyond the last particle. These values are masked, but must be legal in any
+    /// formula (a density of zero is not): they are copies of the last particle. To be called after writing.
     void pad() { pad(values, 0, row->components); }
 
-    // ---- places at the last search, of a phase that only a host moves ----
+    // ---- positions at the last search, of a phase that only a host moves ----
     /// Keeps a copy of the positions.
     void remember_places() { places_then.assign(column(row->position), column(row->position) + dim * step); }
-    /// How far the particle is that has moved farthest since, m.
+    /// The greatest displacement of any particle since then, m.
     double farthest_since(int threads) const;
 
     // ---- what was written ----
-    /// The field that begins at a column has been written: who holds a copy of it copies it anew.
+    /// Notes that the field that begins at a column was written, so that copies of it are updated.
     void note_written(int first) {
         for (std::size_t k = 0; k < writes_.size(); ++k)
             if (row->fields[k].first == first)
@@ -111,11 +111,11 @@ public:
 
     search::CellTable table; ///< of the present positions
     search::Bounds<dim> bounds;
-    bool within_reach = true; ///< of any other, at the last search? If not, its table is not kept up
+    bool within_reach = true; ///< of any other, at the last search? If not, its table is not updated
     bool disturbed = true;    ///< were particles added or removed since their neighbours were found?
-    bool grown = true;        ///< were some added since what is computed once was?
+    bool grown = true;        ///< were any added since the last evaluation of what is computed once?
 
-    // ---- what integrators keep of a step's beginning ----
+    // ---- what integrators keep from the begin of a step ----
     AlignedVector<Real> remembered; ///< positions, velocities and states, in this order
     AlignedVector<Real> kept_sums;  ///< see Mover::keep_sums
 
@@ -126,7 +126,7 @@ public:
 
     /// Bytes that `archive` writes or reads for one particle.
     std::size_t bytes_per_archived_particle() const { return sizeof(std::uint32_t) + sizeof(Real) * columns(); }
-    /// Throws Error where what `archive` would read of `count` particles makes no sense. Goes on behind it.
+    /// Throws Error if the data that `archive` would read for `count` particles make no sense. Moves past them.
     template <class Archive>
     void check_archived(Archive& a, std::uint64_t count) const {
         std::uint32_t ever = 0;
@@ -138,7 +138,7 @@ public:
                     ever, " were ever added; take the checkpoint before it");
         a.skip(count * columns(), sizeof(Real));
     }
-    /// All particles as they lie in memory, for checkpoints. `count`: how many, known before.
+    /// All particles as they lie in memory, for checkpoints. `count`: their number, known before.
     template <class Archive>
     void archive(Archive& a, int count) {
         if constexpr (Archive::reading) {
@@ -155,8 +155,8 @@ public:
 
 private:
     std::size_t columns() const { return static_cast<std::size_t>(row->components); }
-    // Room for the widest pack beyond the end, and an odd number of cache lines, so that the same particle's
-    // components do not compete for one place in the cache.
+    // Room for the widest pack beyond the end, and an odd number of cache lines, so that the components of a particle
+    // do not compete for one place in the cache.
     static std::size_t stride_for(int count) {
         constexpr std::size_t line = 64 / sizeof(Real);
         std::size_t lines = (static_cast<std::size_t>(count) + search::read_beyond) / line + 1;

@@ -1,4 +1,4 @@
-// How a program names a phase of a scene, and how it looks at its particles.
+// How a program names a phase of a scene and accesses its particles.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,17 @@ namespace imbibe {
 template <class P>
 struct PhaseHandle {};
 
-/// One phase of the scene. The views of its fields are valid until the next step: particles are re-sorted.
+/// One phase of the scene. The views of its fields are valid until the next step, which sorts particles.
 template <class P, class S>
 struct PhaseView {
     /// The columns of its particles.
     S state;
-    /// Looks at the particles of `where`.
+    /// A view of the particles of `where`.
     explicit PhaseView(const S& where) : state(where) {}
-    /// Looks where another view looks.
+    /// A view of the same particles.
     PhaseView(const PhaseView&) = default;
-    /// Looks where `other` looks: `view = scene[water]`. Copies no numbers; a view of a field copies them.
+    /// Points to the particles of `other`: `view = scene[water]`. Copies no numbers; assignment to a view of a field
+    /// copies them.
     PhaseView& operator=(const PhaseView& other) {
         const S where = other.state; // taken first: `other` may be this view
         return *std::construct_at(this, where);

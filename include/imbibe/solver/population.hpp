@@ -1,4 +1,4 @@
-// New particles of a phase: what must be true of them, and how they are put among those that are there.
+// New particles of a phase: the checks they must pass, and how they join the existing ones.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -14,7 +14,7 @@ namespace imbibe {
 /// A particle that was handed over to another phase.
 struct Handed {
     std::uint32_t before; ///< its number (`ids`) in the phase that it left
-    std::uint32_t now;    ///< in the one that it came to
+    std::uint32_t now;    ///< its number in the phase that it joined
 };
 
 } // namespace imbibe
@@ -26,11 +26,11 @@ namespace imbibe::detail {
 template <int dim, class Real>
 void require_support(const Neighbourhood<dim, Real>& scene, double support, const std::string& name);
 
-/// The same of the terms that say themselves how far they reach, if their phases have particles.
+/// The same for terms with a support radius of their own, if their phases have particles.
 template <int dim, class Real>
 void require_supports_of_terms(const Neighbourhood<dim, Real>& scene);
 
-/// The places of new particles as they are stored: without the origin, inside the period, and that also once rounded.
+/// The positions of new particles as stored: relative to the origin, inside the period, also after rounding.
 /// @param origin of the points, m
 /// @throws Error for a point that is not finite, too many points, a spacing that float does not bear, a point nearer
 /// than 1e-3 spacings to another or to a particle of the phase, and in a total-Lagrangian phase a point within the
@@ -40,13 +40,13 @@ std::vector<Point<dim>> places_of_new(const Neighbourhood<dim, Real>& scene, int
                                       const std::vector<Point<dim>>& points, double spacing, double support,
                                       const Origin<dim>& origin);
 
-/// Adds particles at places that places_of_new returned, free of stress and not held, with the density of their
-/// material, kg/m^3, and a mass of density * spacing^dim; all else is zero.
+/// Adds particles at places that places_of_new returned, stress-free and not held, with the density of their material,
+/// kg/m^3, and a mass of density * spacing^dim; all other fields are zero.
 template <int dim, class Real>
 void add_particles(PhaseStore<dim, Real>& phase, const std::vector<Point<dim>>& places, double density, double spacing);
 
-/// Takes particles out of one phase and adds them to another, with all fields that both have by name, unit and rank;
-/// what only the other one has begins as with particles that are added. The density keeps its ratio to that at rest.
+/// Moves particles from one phase to another, with all fields that both have by name, unit and rank; fields that only
+/// the other one has start as for added particles. The ratio of the density to the reference density is kept.
 /// @throws Error where the other phase has not been given its material
 template <int dim, class Real>
 std::vector<Handed> hand_over(PhaseStore<dim, Real>& from, PhaseStore<dim, Real>& to, const std::vector<char>& which);

@@ -11,7 +11,7 @@
 namespace imbibe::detail {
 
 /// One term, with the coefficients of its owner, a phase or a coupling.
-/// @param spacing the greater one of its phases, m @param support how far terms reach that do not say it themselves, m
+/// @param spacing the greater one of its phases, m @param support the reach of terms without their own, m
 /// @param material the phase, or both phases
 template <class Term, int dim, class Owner, class... M>
 void prepare_term(Owner& owner, double spacing, double support, const M&... material) {

@@ -73,7 +73,7 @@ constexpr Reduction<dim, Real> reduction_of(int phase) {
 template <int dim, class Real>
 double reduced(const PhaseStore<dim, Real>& phase, const Reduction<dim, Real>& row, int threads);
 
-/// What one part gives for all particles of a view.
+/// The result of one part for all particles of a view.
 template <class Part, class View>
 double reduced_by(const View& view) {
     using P = std::remove_cvref_t<decltype(view.material())>;
@@ -87,7 +87,7 @@ double reduced_by(const View& view) {
 
 } // namespace detail
 
-/// What the terms of a phase reduce by `Reduces`, such as Sum<StoredEnergy>, taken together:
+/// The combined result of a phase's reductions `Reduces`, such as Sum<StoredEnergy>:
 /// `reduced<sph::Sum<Heat>>(scene[bar])`. @param view a phase of a scene
 template <class Reduces, class View>
 double reduced(const View& view) {

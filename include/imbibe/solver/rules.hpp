@@ -1,5 +1,5 @@
-// The rules a scene must keep, each a template whose name is the rule and whose arguments are the culprits: what the
-// compiler prints is the diagnosis, and the remedy is a type whose name is the advice.
+// The rules for scenes, each a template whose name is the rule and whose arguments are the culprits: the compiler
+// prints the diagnosis, and the remedy is a type whose name is the advice.
 #pragma once
 
 namespace imbibe {
@@ -57,7 +57,7 @@ struct use_fewer_terms_or_raise_the_limits_in_schedule_hpp;
 
 namespace rules {
 
-/// False, whatever it is given.
+/// False for any arguments.
 template <class...>
 inline constexpr bool never = false;
 
@@ -66,7 +66,7 @@ template <class Field, class Term, class Phase, class Advice>
 struct NobodySets {
     static_assert(never<Field>, "imbibe: a term reads this field, and no term of its phase sets it");
 };
-/// Rule: what a phase or coupling lists are terms.
+/// Rule: phases and couplings list terms.
 template <class What, class Where, class Advice>
 struct NotATerm {
     static_assert(never<What>, "imbibe: this is listed where a term is expected, and is none");
@@ -88,48 +88,48 @@ template <class Prepared, class Term, class Advice>
 struct PreparedByNoFunction {
     static_assert(never<Prepared>, "imbibe: this term has `Prepared`, and no function `prepare` that returns one");
 };
-/// Rule: a term that asks for elastic moduli is one of a phase that has them.
+/// Rule: a term that needs elastic moduli belongs to a phase that has them.
 template <class Term, class Phase, class Advice>
 struct NotASolid {
     static_assert(never<Term>, "imbibe: this term asks for the elastic moduli of a solid, and its phase has none");
 };
-/// Rule: a term is listed once; twice, what it adds would count twice.
+/// Rule: a term is listed once; a second time would count twice.
 template <class Term, class Where, class Advice>
 struct TermTwice {
     static_assert(never<Term>, "imbibe: the same term is listed twice");
 };
-/// Rule: of two forms of the same equation a phase, or a side of a coupling, has one.
+/// Rule: a phase, or a side of a coupling, has only one form of an equation.
 template <class Effect, class TermOne, class TermTwo, class Where, class Advice>
 struct SameEffectTwice {
     static_assert(never<Effect>, "imbibe: two terms are forms of the same equation, which would count twice");
 };
-/// Rule: a term of a phase that needs another in its couplings (`beside_in_couplings`) has it in each that has a form of
-/// the same equation.
+/// Rule: if a term of a phase needs another in its couplings (`beside_in_couplings`), every coupling with a form of the
+/// same equation has it.
 template <class Missing, class Term, class Phase, class Coupling, class Advice>
 struct MissingInCoupling {
     static_assert(never<Missing>, "imbibe: a term of this phase needs another in this coupling");
 };
-/// Rule: a term of a phase that another spoils in a coupling (`never_in_couplings`) is not beside it.
+/// Rule: a term of a phase does not stand beside a coupling term that spoils it (`never_in_couplings`).
 template <class Found, class Term, class Phase, class Coupling, class Advice>
 struct NeverInCoupling {
     static_assert(never<Found>, "imbibe: a term of this phase is wrong beside this one in a coupling");
 };
-/// Rule: a term that only one side of a coupling can have (`one_sided`) says which.
+/// Rule: a term that only one side of a coupling can have (`one_sided`) names the side.
 template <class Term, class Where, class Advice>
 struct NotInto {
     static_assert(never<Term>, "imbibe: this term is one of a wall or a solid beside a fluid, and acts on just that");
 };
-/// Rule: a term that compares neighbours of one material (`within_phases`) is one of phases.
+/// Rule: a term that compares neighbours of one material (`within_phases`) belongs to a phase.
 template <class Term, class Coupling, class Advice>
 struct NotInCouplings {
     static_assert(never<Term>, "imbibe: this term compares neighbours of one material, and is listed in a coupling");
 };
-/// Rule: a force of walls or solids on fluids (`between_fluid_and_other`) is one of couplings.
+/// Rule: a force of walls or solids on fluids (`between_fluid_and_other`) belongs to a coupling.
 template <class Term, class Phase, class Advice>
 struct NotInPhases {
     static_assert(never<Term>, "imbibe: this term goes between a fluid and a wall or a solid, and is listed in a phase");
 };
-/// Rule: a reaction (`reacts_to`) is that to terms of the same coupling.
+/// Rule: a reaction (`reacts_to`) names terms of the same coupling.
 template <class Term, class Reaction, class Coupling, class Advice>
 struct NothingToReactTo {
     static_assert(never<Term>, "imbibe: this force is none of the coupling, which lists a reaction to it");
@@ -139,12 +139,13 @@ template <class Integrator, class Advice>
 struct NothingIsSlow {
     static_assert(never<Integrator>, "imbibe: DualStepping names no term to be evaluated once in a long step");
 };
-/// Rule: a term that asks for a viscosity (`needs_viscosity`) is of a phase that has one, or of a coupling with one.
+/// Rule: a term that needs a viscosity (`needs_viscosity`) belongs to a phase or coupling that has one.
 template <class Term, class Where, class Advice>
 struct NoViscosity {
     static_assert(never<Term>, "imbibe: this term asks for a viscosity, and there is none");
 };
-/// Rule: a term that asks both sides for a fluid's state (`between_fluids`) is of a fluid, or of a coupling of two.
+/// Rule: a term that needs a fluid's state on both sides (`between_fluids`) belongs to a fluid, or to a coupling of
+/// two.
 template <class Term, class Coupling, class Advice>
 struct NotBetweenFluids {
     static_assert(never<Term>, "imbibe: this term goes between fluids, and a side of this coupling is none");
@@ -154,17 +155,17 @@ template <class Term, class Coupling, class Advice>
 struct NotBetweenFluidAndWall {
     static_assert(never<Term>, "imbibe: this term goes between a fluid and a wall or a solid");
 };
-/// Rule: gradients and what corrects them are made with one kernel (`corrected_kernel`).
+/// Rule: gradients and their correction have the same kernel (`corrected_kernel`).
 template <class KernelOne, class KernelTwo, class TermOne, class TermTwo, class Where, class Advice>
 struct TwoKernels {
     static_assert(never<KernelOne>, "imbibe: a gradient and its correction are made with two kernels");
 };
-/// Rule: a function of a pair adds to fields; there is no one pair that could set one.
+/// Rule: a function of a pair adds to fields; it cannot set one.
 template <class Part, class Term, class Advice>
 struct PairPartSets {
     static_assert(never<Part>, "imbibe: a function of a pair can only add to fields, and this one sets one");
 };
-/// Rule: what terms add to starts from zero in every step, so it is no state.
+/// Rule: a field that terms add to starts from zero in every step, so it is no state.
 template <class Field, class Term, class Phase, class Advice>
 struct AddsToAState {
     static_assert(never<Field>, "imbibe: a term adds to a state, which would start from zero in every step");
@@ -174,13 +175,13 @@ template <class Term, class Advice>
 struct LimitNotUsable {
     static_assert(never<Term>, "imbibe: this term's limit on the step has no name, or cannot be called");
 };
-/// Rule: a force that reads positions says how long steps may be, because nobody else knows how stiff it is.
+/// Rule: a force that reads positions has a time step limit, because only the term knows how stiff it is.
 template <class Term, class Where, class Advice>
 struct ForceOfPositionsWithoutLimit {
     static_assert(never<Term>,
                   "imbibe: this term's force depends on positions, and it does not say what steps it bears");
 };
-/// Rule: a field is looked at where a term of the phase uses it.
+/// Rule: a field can be viewed only if a term of the phase uses it.
 template <class Field, class Phase, class Advice>
 struct FieldNotStored {
     static_assert(never<Field>, "imbibe: no term of this phase uses this field, so it is not stored");
@@ -200,13 +201,13 @@ template <class Given, class Advice>
 struct NotAnIntegrator {
     static_assert(never<Given>, "imbibe: the third argument of a solver is no integrator");
 };
-/// Rule: implicit terms stand in scenes whose integrator evaluates all terms once a step.
+/// Rule: implicit terms need an integrator that evaluates all terms once a step.
 template <class Given, class Phase, class Advice>
 struct ImplicitTermsNotAllowed {
     static_assert(never<Given>, "imbibe: a term of this phase adds an implicit acceleration, which needs all others of "
                                 "the same step; this integrator has them at several times");
 };
-/// Rule: behind the integrator a solver lists its phases and couplings.
+/// Rule: after the integrator a solver lists its phases and couplings.
 template <class Given, class Advice>
 struct NotAPhaseOrCoupling {
     static_assert(never<Given>, "imbibe: the solver lists this, which is no phase and no coupling");
@@ -216,12 +217,12 @@ template <class Field, class TermOne, class TermTwo, class Phase, class Advice>
 struct SetTwice {
     static_assert(never<Field>, "imbibe: two terms of one phase set the same field");
 };
-/// Rule: what is computed once is not computed in every step as well, which would begin anew.
+/// Rule: a field that is computed once is not computed in every step as well, which would start it anew.
 template <class Field, class Phase, class Advice>
 struct OnceAndInEveryStep {
     static_assert(never<Field>, "imbibe: terms compute this field once, and others in every step");
 };
-/// Rule: no two terms wait for each other.
+/// Rule: no two terms depend on each other.
 template <class TermOne, class TermTwo, class Advice>
 struct Cycle {
     static_assert(never<TermOne>, "imbibe: these terms wait for each other's results");
@@ -236,7 +237,7 @@ template <class Given, class Coupling, class Advice>
 struct NotAPhase {
     static_assert(never<Given>, "imbibe: this stands in a coupling where a phase is expected, and is none");
 };
-/// Rule: whoever asks a scene for a phase or coupling, or names one in its integrator, asks for one that it has.
+/// Rule: a phase or coupling that a program or an integrator names belongs to the scene.
 template <class What, class Advice>
 struct NotInTheScene {
     static_assert(never<What>, "imbibe: the scene does not have this phase or coupling");
@@ -251,7 +252,7 @@ template <class State, class Term, class Advice>
 struct SlowTermOfState {
     static_assert(never<Term>, "imbibe: a term that is to be evaluated less often changes a state in every short step");
 };
-/// Rule: a phase of which particles are held has the term that holds them.
+/// Rule: a phase with held particles has the term for holding them.
 template <class Phase, class Advice>
 struct HeldWithoutClamped {
     static_assert(never<Phase>, "imbibe: particles of this phase are to be held, and it has no term that holds them");
@@ -261,7 +262,7 @@ template <class Phase, class Advice>
 struct RemovedFromReference {
     static_assert(never<Phase>, "imbibe: the particles of a total-Lagrangian phase cannot be removed");
 };
-/// Rule: what is handed over to a solid has no stress-free place in it.
+/// Rule: particles cannot be handed over to a total-Lagrangian solid, in which they have no stress-free position.
 template <class Phase, class Advice>
 struct HandedToReference {
     static_assert(never<Phase>, "imbibe: particles cannot be handed over to a total-Lagrangian phase");
@@ -276,7 +277,7 @@ template <class Term, class Owner, class Advice>
 struct OwnSupportOfReferenceNeighbours {
     static_assert(never<Term>, "imbibe: a sum over reference neighbours reaches as far as its phase, not further");
 };
-/// Rule: the support radius that a term says is a function of its phase, or of both phases of a coupling.
+/// Rule: a term's own support radius is a function of its phase, or of both phases of a coupling.
 template <class Term, class Owner, class Advice>
 struct SupportRadiusNotUsable {
     static_assert(never<Term>, "imbibe: this term's support_radius cannot be asked for");

@@ -1,5 +1,5 @@
-// What is an error before a scene runs: coefficients and materials that a term cannot work with, particles of another
-// material in one phase, two couplings that disagree about a part they share; and names that are not of the scene.
+// Errors before a scene runs: coefficients and materials that a term cannot use, particles of another material in one
+// phase, two couplings that disagree about a shared part; and names that are not of the scene.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -14,7 +14,7 @@
 
 namespace imbibe::detail {
 
-/// Asks a term whether the coefficients of its owner (a phase or a coupling), and the owner itself, are what it needs.
+/// Lets a term check the coefficients of its owner (a phase or a coupling), and the owner itself.
 template <class Term, class Owner>
 void check_term(const Owner& owner, const std::string& name) {
     if constexpr (requires { typename Term::Parameters; }) {
@@ -27,7 +27,7 @@ void check_term(const Owner& owner, const std::string& name) {
 }
 template <class Where, class Owner, class... Term>
 void check_terms(const Owner& owner, TypeList<Term...>) {
-    // What is no term, as Into in a phase, is an error of its own.
+    // A type that is no term, such as Into in a phase, is an error of its own.
     [[maybe_unused]] const auto check = [&]<class T>(std::type_identity<T>) {
         if constexpr (IsTerm<T>)
             check_term<T>(owner, type_name<Where>());
@@ -38,8 +38,7 @@ void check_terms(const Owner& owner, TypeList<Term...>) {
         (check(std::type_identity<Term>{}), ...);
 }
 
-/// Throws Error unless particles that are added to a phase are of the material that it has, with its spacing, its
-/// support radius and its coefficients.
+/// Throws Error unless particles that are added to a phase have its material, spacing, support radius and coefficients.
 template <class P>
 void require_same_material(const P& phase, const P& added, const std::string& name) {
     const NamedNumbers before = numbers_of_owner(phase), now = numbers_of_owner(added);
@@ -49,7 +48,7 @@ void require_same_material(const P& phase, const P& added, const std::string& na
                 "that of all particles by scene[phase].material()");
 }
 
-/// Throws Error if two couplings give different coefficients to one part of one phase, which both ask for.
+/// Throws Error if two couplings give different coefficients to a part of a phase that both need.
 template <class P, class Term, class C, class D>
 void check_shared(const C& one, const D& other) {
     if constexpr (requires { typename Term::Parameters; }) {
@@ -95,7 +94,7 @@ void check_couplings(const Engine& engine, [[maybe_unused]] TypeList<C...> all) 
     (check_terms<C>(engine.template coupling<C>(), typename C::terms{}), ...);
     (check_shared_with<C>(engine, all), ...);
 }
-/// Throws Error for a material or a coefficient of a scene that is out of range, or that a term cannot work with.
+/// Throws Error for a material or a coefficient of a scene that is out of range, or that a term cannot use.
 template <class Engine>
 void check_numbers_of(const Engine& engine) {
     check_phases(engine, typename Engine::Phases{});
@@ -111,7 +110,7 @@ constexpr bool in_the_scene() {
     else
         return true;
 }
-/// The first of the phases that has an implicit acceleration; void where none has.
+/// The first of the phases with an implicit acceleration; void if none has one.
 template <class Scene>
 constexpr auto first_with_implicit(TypeList<>) {
     return std::type_identity<void>{};
@@ -123,8 +122,8 @@ constexpr auto first_with_implicit(TypeList<P, Rest...>) {
     else
         return first_with_implicit<Scene>(TypeList<Rest...>{});
 }
-/// True, or a compile error: the scene has the phases and terms that an integrator names, and implicit terms only where
-/// it allows them.
+/// True, or a compile error: the scene has the phases and terms that an integrator names, and implicit terms only if it
+/// allows them.
 template <class Scene, class Integrator>
 constexpr bool check_integrator() {
     using Implicit = typename decltype(first_with_implicit<Scene>(typename Scene::Phases{}))::type;

@@ -32,7 +32,7 @@ void SceneEngine<dim, Real>::run_for_grown(const Pass<dim, Real>& pass) {
     for (std::size_t k = 0; k < this->phases.size(); ++k)
         if (this->phases[k].grown)
             concerned.set(static_cast<int>(k));
-    for (std::size_t k = 0; k < pass.loops.size(); ++k) // one more of them in every round
+    for (std::size_t k = 0; k < pass.loops.size(); ++k) // one more in every round
         for (const Loop<dim, Real>& loop : pass.loops)
             for (const int link : loop.links)
                 if (concerned.test(this->link_at(link).row.b))

@@ -1,5 +1,5 @@
-// A scene that runs: its time, its steps and their limits, its warnings. It knows no type of the scene; the Solver,
-// which derives from it, says what depends on those.
+// A running scene: its time, its steps and their limits, its warnings. It knows no type of the scene; the Solver, which
+// derives from it, adds what depends on those.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -21,7 +21,7 @@ namespace imbibe {
 template <int dim, class Real>
 class IMBIBE_PER_BUILD SceneRun {
 public:
-    /// The time that has passed, s.
+    /// The time simulated so far, s.
     double time() const { return time_; }
     /// How many steps were taken.
     long long steps() const { return steps_; }
@@ -33,14 +33,14 @@ public:
     const TimeStepLimit& last_step() const { return last_step_; }
     /// How many particles all phases have together.
     long long particles() const;
-    /// What deserves a look but is no error, found while particles were added, before the first step and during the
-    /// run. Settings::on_warning was called with each.
+    /// Findings that deserve a look but are no errors, made while particles were added, before the first step and
+    /// during the run. Settings::on_warning was called with each.
     const std::vector<std::string>& warnings() const { return warnings_.sentences(); }
-    /// Adds one: a sentence of the program's own, or of a part of the library, once.
+    /// Adds a warning, from the program or from a part of the library; each sentence once.
     void warn(const std::string& sentence) { warnings_.note(sentence); }
-    /// The phases, and the bodies of one phase, that have met though nothing acts between them: two phases that no
-    /// coupling names, two bodies of a total-Lagrangian phase without a term between them. They are looked for at every
-    /// tenth step, where speeds allow them to have met; each is a warning, and a Guard ends the run.
+    /// The phases, and the bodies of one phase, that have met although nothing acts between them: two phases that no
+    /// coupling names, two bodies of a total-Lagrangian phase without a term between them. Checked at every tenth step
+    /// if speeds allow them to have met; each is a warning, and a Guard ends the run.
     const std::vector<Meeting>& meetings() const { return watch_.met(); }
     /// Its particles, neighbours and tables, whatever terms it has; for parts of the library.
     const detail::SceneEngine<dim, Real>& scene_engine() const { return base_engine(); }
@@ -48,42 +48,43 @@ public:
     detail::OutlineOfScene outline() const { return detail::outline_of(base_engine(), settings_.origin); }
 
     /// Changes gravity from now on, m/s^2: for a tank that is shaken or tilted, in the frame of the tank. A checkpoint
-    /// does not hold it, and a Guard does not look at energies while it changes (GuardSettings::energy).
+    /// does not hold it, and a Guard does not check energies while it changes (GuardSettings::energy).
     /// @throws Error for a component that is not finite; gravity is then as it was
     void set_gravity(const std::array<double, static_cast<std::size_t>(dim)>& gravity);
     /// All limits on the next step, without the CFL number, shortest first.
     std::vector<TimeStepLimit> time_step_limits() const {
         return detail::limits_of(base_engine(), limit_rows(), false);
     }
-    /// The step that would be taken next, and what limits it: of speeds as they were after the last step or `prepare`.
+    /// The next step and what limits it, from the speeds after the last step or `prepare`.
     TimeStepLimit next_step() const;
-    /// From now on all steps are `share` (above 0, at most 1) of what they would have been: the CFL number, a fixed
-    /// step and the longest step are multiplied by it. Checkpoints keep it.
+    /// From now on all steps are shortened by the factor `share` (above 0, at most 1): the CFL number, a fixed step and
+    /// the longest step are multiplied by it. Checkpoints keep it.
     void shorten_steps(double share);
     /// The product of all shares by which steps were shortened.
     double shortened() const { return shortened_; }
-    /// Sorts the particles, which ends views, finds the neighbours that stay, evaluates what is computed once: before
-    /// the first step of all phases, later of those to which particles were added, and of those that sum over them. The
-    /// first step does it by itself, and once more where somebody had a view to write since.
+    /// Sorts the particles (views become invalid), finds permanent neighbours and evaluates what is computed once:
+    /// before the first step for all phases, later for phases to which particles were added and for those that sum over
+    /// them. The first step calls it by itself, and again if a program has had a writable view in the meantime.
     /// @throws Error for a scene without particles or coefficients out of range
     void prepare();
     /// One step of the length the limits allow. Returns the length, s.
     double step();
     /// One step of the given length, s.
     void step(double seconds);
-    /// Is the next step one that finds neighbours anew? Then a run that is continued from here, which must find them,
-    /// goes on as this one does, to the last bit.
+    /// Does the next step find neighbours anew? Then a run that is continued from here, which must find them, goes on
+    /// as this one does, to the last bit.
     bool search_is_due() const { return base_engine().search_is_due(); }
     /// Throws Error, with `words` before it, if a coordinate of any particle is not a finite number.
     void require_finite(const std::string& words) const;
 
-    /// For checkpoints (output/checkpoint.hpp): hands everything that makes up the state of the scene to `archive`,
-    /// which writes it or reads it back, in the order of this function. Particles are sorted, so views end here.
+    /// For checkpoints (output/checkpoint.hpp): hands the complete state of the scene to `archive`, which writes it or
+    /// reads it back, in the order of this function. Particles are sorted, so views become invalid.
     template <class Archive>
     void archive(Archive& archive) {
         auto& engine = base_engine();
-        // Both sort, and search at the next step: so this run and one that is continued from here stay the same. What
-        // is written is sorted: a second time, or where one was written at the step before, it is the same bytes.
+        // Both sort, and search at the next step, so that this run and one that is continued from here stay the same.
+        // The written state is sorted: writing it again, or after a checkpoint at the previous step, gives the same
+        // bytes.
         if constexpr (Archive::reading)
             check_numbers();
         else
@@ -125,7 +126,7 @@ protected:
     SceneRun& operator=(SceneRun&&) = default;
     virtual ~SceneRun() = default;
 
-    // What depends on the types of the scene.
+    // Parts that depend on the types of the scene.
     virtual BaseEngine& base_engine() = 0;
     virtual const BaseEngine& base_engine() const = 0;
     virtual std::span<const detail::LimitRow> limit_rows() const = 0;
@@ -142,7 +143,7 @@ protected:
 
     void set_up(BaseEngine& engine) const;
     void take(const TimeStepLimit& chosen);
-    /// Somebody has a view to write, or has added particles.
+    /// A writable view was handed out, or particles were added.
     void may_change() { may_have_changed_ = true; }
     void added() {
         prepared_ = false;
@@ -157,7 +158,7 @@ protected:
 private:
     struct {
         double cfl, time_step, max_time_step;
-    } given_; // before they were shortened
+    } given_; // as given, before shortening
     bool subcycles_;
     long long steps_ = 0;
     bool prepared_ = false;
@@ -166,7 +167,7 @@ private:
     TimeStepLimit last_step_{0, "none yet", "start"};
     detail::SceneWatch watch_;
 
-    // From what was given, so that a restarted run rounds as the run did.
+    // Computed from the numbers as given, so that a restarted run rounds the same way.
     void scale_steps(double shortened) {
         settings_.cfl = given_.cfl * shortened;
         settings_.time_step = given_.time_step * shortened;

@@ -92,7 +92,7 @@ void SceneRun<dim, Real>::prepare() {
         engine.find_reference_neighbours();
     }
     engine.search_neighbours();
-    // What is added to a run has been looked at by then, or motion has brought the two together.
+    // Later particles were checked when added, or motion has brought the two together.
     if (anew && steps_ == 0)
         detail::note_doubts_of_scene(warnings_, engine, settings_.origin, outline());
     if (!prepared_)

@@ -1,5 +1,5 @@
-// All that a running scene consists of: the particles of its phases, its couplings, the lists of neighbours. What is
-// done with it is in the layers above: neighbourhood.hpp, motion.hpp, scene_engine.hpp.
+// The data of a running scene: the particles of its phases, its couplings, the neighbour lists. The layers above work
+// on it: neighbourhood.hpp, motion.hpp, scene_engine.hpp.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -15,12 +15,12 @@ struct IMBIBE_PER_BUILD Link {
     LinkRow row;
     search::RunList runs;
     double support = 0; ///< m
-    /// Distance of the nearest pair, m, where a term asks for it (TimeStepInput::nearest).
+    /// Distance of the nearest pair, m, if a term asks for it (TimeStepInput::nearest).
     double nearest = std::numeric_limits<double>::infinity();
-    long long sweeps = 0; ///< how often terms were summed over these neighbours
+    long long sweeps = 0; ///< number of sweeps over these neighbours
 };
 
-/// Where the coordinates of a scene begin, m.
+/// The origin of a scene's coordinates, m.
 template <int dim>
 using Origin = std::array<double, static_cast<std::size_t>(dim)>;
 
@@ -40,10 +40,10 @@ public:
 
     Vector<double, dim> gravity{};
     /// The velocity of the frame in which speeds are measured, m/s: what limits a step is how fast particles move
-    /// against each other, not how fast all move together. See Neighbourhood::choose_frame.
+    /// relative to each other, not a common motion. See Neighbourhood::choose_frame.
     Vector<double, dim> frame{};
     search::Periodic<dim> periodic;
-    /// By how much the periodic images of the scene are displaced, m.
+    /// The displacements of the periodic images of the scene, m.
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images{};
     int threads = 1;
 
@@ -68,18 +68,18 @@ public:
     Link& link_at(int k) { return links[static_cast<std::size_t>(k)]; }
     const Link& link_at(int k) const { return links[static_cast<std::size_t>(k)]; }
 
-    /// H between two phases: that of the fluid, so that what pushes it from two sides is summed over the same reach;
-    /// the greater one of two fluids, and where none is.
+    /// H between two phases: that of the fluid, so that its sums over both sides have the same reach; the greater one
+    /// of two fluids, or if neither is a fluid.
     double support(int a, int b) const;
-    /// How far the terms reach that sum over the neighbours of a link, m; see LinkRow.
+    /// The reach of the terms that sum over the neighbours of a link, m; see LinkRow.
     double support_of(const LinkRow& row) const;
-    /// How far the farthest term between two phases reaches over present neighbours, m; their support() at least.
+    /// The longest reach of any term between two phases over present neighbours, m; at least their support().
     double longest_support(int a, int b) const;
     bool any_periodic() const {
         return std::any_of(periodic.length.begin(), periodic.length.end(), [](double length) { return length > 0; });
     }
     /// The particles of all phases, for checkpoints: their numbers first, so that a file that cannot hold them is
-    /// noticed before anything changes.
+    /// detected before anything changes.
     template <class Archive>
     void archive_particles(Archive& a) {
         std::vector<std::uint64_t> counts;
@@ -102,7 +102,7 @@ public:
         for (std::size_t k = 0; k < phases.size(); ++k)
             phases[k].archive(a, static_cast<int>(counts[k]));
     }
-    /// What the next time step depends on besides the particles.
+    /// The state of the next time step besides the particles.
     template <class Archive>
     void archive_motion(Archive& a) {
         for (Phase& s : phases)

@@ -1,5 +1,5 @@
-// Makes the outline of a scene, and looks at it while the scene runs: for particles that were added over others, and
-// for phases and bodies that meet though nothing acts between them.
+// Makes the outline of a scene, and checks it while the scene runs: for added particles that overlap others, and for
+// phases and bodies that meet although nothing acts between them.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -15,16 +15,16 @@
 
 namespace imbibe::detail {
 
-/// Is a phase total-Lagrangian, and is it not looked for neighbours as they lie now within it?
+/// Is a phase total-Lagrangian, without present neighbours within itself?
 bool knows_bodies(const SceneTable& table, int phase);
 /// Does a coupling tie two phases together?
 bool are_coupled(const SceneTable& table, int a, int b);
 
-/// The outline of a scene, as it is now. @param origin of its coordinates, m
+/// The present outline of a scene. @param origin of its coordinates, m
 template <int dim, class Real>
 OutlineOfScene outline_of(const SceneStore<dim, Real>& scene, const Origin<dim>& origin);
 
-/// Each two phases of a scene once.
+/// Every pair of phases of a scene, once.
 template <int dim, class Real>
 std::vector<PhasePair> pairs_of_phases(const SceneStore<dim, Real>& scene);
 
@@ -49,12 +49,12 @@ private:
     std::vector<Meeting> met_;
     long long steps_ = 0;
     double since_look_ = 0; // s
-    // By phase: how many of its particles, of all that were ever added, were looked for crowding, and was any found?
+    // By phase: how many particles, of all ever added, were checked for crowding, and was any found?
     std::vector<std::pair<long long, bool>> crowding_;
 
     static bool anyone_may_meet(const SceneTable& table);
     void note_meetings(const OutlineOfScene& outline, double time, Warnings& warnings);
-    // Of all particles, m/s; infinite where a wall has no velocity, for a program may move it.
+    // Of all particles, m/s; infinite if a wall has no velocity, because a program may move it.
     template <int dim, class Real>
     static double greatest_speed(const Neighbourhood<dim, Real>& scene);
 };

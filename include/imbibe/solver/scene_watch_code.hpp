@@ -78,7 +78,7 @@ void SceneWatch::look_at_added(const Neighbourhood<dim, Real>& scene, const Orig
         const Outline& phase = outline.phases[k];
         if (!found && phase.ever_added > looked_at) {
             const std::string sentence = warning_of_crowding(phase, looked_at, outline);
-            found = !sentence.empty(); // a source would say it at every step
+            found = !sentence.empty(); // a source would repeat it at every step
             warnings.note(sentence);
         }
         looked_at = phase.ever_added;
@@ -106,7 +106,7 @@ void SceneWatch::look_after_step(const Neighbourhood<dim, Real>& scene, const Or
     since_look_ += seconds;
     if (++steps_ % 10 != 0 || !anyone_may_meet(scene.table))
         return;
-    meetings_.approach(3 * greatest_speed(scene) * since_look_); // two move, and were faster perhaps
+    meetings_.approach(3 * greatest_speed(scene) * since_look_); // both move, perhaps faster in between
     since_look_ = 0;
     if (meetings_.is_due())
         note_meetings(outline_of(scene, origin), time, warnings);

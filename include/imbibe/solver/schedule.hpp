@@ -1,15 +1,15 @@
-// The schedule: an ordinary function that puts the parts of all terms into an order in which every value is there
-// before it is read. It knows nothing of fields or terms, only of rows of bits: one row per part, one column per
-// field of each phase. The solver calls it at compile time, tests call it at run time.
+// The schedule: an ordinary function that orders the parts of all terms so that every value is computed before it is
+// read. It knows nothing of fields or terms, only rows of bits: one row per part, one column per field of each phase.
+// The solver calls it at compile time, tests call it at run time.
 //
 // A *round* is: the particle rows that are ready, then one sweep over the neighbours for each phase that is due. A
-// phase is due when all its remaining pair rows are ready; if no phase is, those ready pair rows are swept whose
-// sums some other row waits for. So pair rows are fused into as few sweeps as the data flow allows.
+// phase is due when all its remaining pair rows are ready; if no phase is, the ready pair rows are swept whose sums
+// another row waits for. So pair rows are fused into as few sweeps as the data flow allows.
 //
-// State that is advanced *within* a step (density, stress: the symplectic Euler scheme) has an advancing row. What its
-// rate is computed from sees the old value, everyone else the new one. A row from which one rate is computed and
-// something else as well sees only those states as they were that wait for it: a term that integrates the work of the
-// pressure must not make the forces see the pressure of the old density, which is Euler's explicit scheme.
+// State that is advanced *within* a step (density, stress: the symplectic Euler scheme) has an advancing row. The rows
+// from which its rate is computed see the old value, all others the new one. A row from which both a rate and something
+// else are computed sees the old value only of states whose advance depends on it: a term that integrates the work of
+// the pressure must not make the forces see the pressure of the old density, which would be explicit Euler.
 #pragma once
 
 #include <array>
@@ -20,19 +20,20 @@ namespace imbibe {
 
 /// A set of columns or rows: up to 256 bits.
 struct Bits {
-    /// The bits, 64 in a word. Not a std::array, and no loops below: a compiler that evaluates a schedule counts calls.
+    /// The bits, 64 in a word. Not a std::array, and no loops below, because compilers limit the number of calls in
+    /// constant evaluation.
     std::uint64_t words[4]{};
 
     /// The greatest number of bits.
     static constexpr int capacity = 256;
-    /// Bits beyond the capacity are dropped: a scene that needs them is refused as too large.
+    /// Sets bit k. Bits beyond the capacity are dropped: a scene that needs them is refused as too large.
     constexpr void set(int k) {
         if (k < capacity)
             words[k / 64] |= std::uint64_t{1} << (k % 64);
     }
     /// Is bit k set?
     constexpr bool test(int k) const { return k < capacity && (words[k / 64] >> (k % 64) & 1); }
-    /// The first bit from k on that is set; the capacity if there is none.
+    /// The first set bit from k on; the capacity if there is none.
     constexpr int next(int k) const {
         for (; k < capacity; k = (k / 64 + 1) * 64)
             if (const std::uint64_t left = words[k / 64] >> (k % 64); left != 0)
@@ -43,10 +44,10 @@ struct Bits {
     constexpr bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
     /// How many are set.
     constexpr int count() const {
-        // Not as a loop: with AVX-512's VPOPCNTDQ, g++ 12 makes it one that counts half of the bits.
+        // Not as a loop: with AVX-512's VPOPCNTDQ, g++ 12 makes a loop that counts half of the bits.
         return std::popcount(words[0]) + std::popcount(words[1]) + std::popcount(words[2]) + std::popcount(words[3]);
     }
-    // Each takes a copy: from a reference, g++ 12 fails on a Bits of which some words were never written.
+    // These take a copy: with a reference, g++ 12 fails on a Bits of which some words were never written.
     /// The bits of a or b.
     friend constexpr Bits operator|(Bits a, const Bits& b) {
         a.words[0] |= b.words[0];
@@ -82,13 +83,13 @@ struct Row {
     int phase = 0;         ///< the phase it writes to
     bool pair = false;     ///< a sum over neighbours, or a function of one particle
     bool advances = false; ///< moves a state by its rate; `sets` is the state, `reads` the rate
-    /// A particle row whose results are summed over all particles before any row of its phase that `waits_for_all` is
-    /// evaluated, which is therefore not in one loop with it: a rate of the density, before the volume is kept.
+    /// A particle row whose results are summed over all particles before any row of its phase with `waits_for_all` is
+    /// evaluated, so it cannot share a loop with such a row: a density rate, before the volume is kept.
     bool summed = false, waits_for_all = false;
 };
 
-/// The chosen rows and all that write what they read, and so on; but none that advances a state, which is read as it
-/// is.
+/// The chosen rows and all rows that write what they read, recursively; but none that advances a state, which is read
+/// with its old value.
 template <std::size_t n>
 constexpr Bits with_what_they_read(const std::array<Row, n>& rows, Bits chosen) {
     for (Bits before, read; before != chosen;) {
@@ -115,7 +116,7 @@ struct Step {
 /// What can be wrong with a set of rows.
 enum class Fault { none, nobody_sets, set_twice, cycle, too_large };
 
-/// The order found, or what stands in its way.
+/// The order found, or what prevents one.
 struct Plan {
     std::array<Step, 48> steps{}; ///< in the order of evaluation
     int size = 0;                 ///< how many steps
@@ -135,7 +136,7 @@ struct Plan {
 
 namespace detail {
 
-// The state of a schedule in the making.
+// The state of the scheduling algorithm.
 template <std::size_t n>
 class Scheduler {
 public:
@@ -170,7 +171,7 @@ private:
     Bits ancestors; // rows from which the rates of advanced states are computed
     Bits advanced;  // columns
     Bits providers[Bits::capacity]; // by column: the rows that write it
-    Bits old[Bits::capacity];       // by row: the states that it sees as they were
+    Bits old[Bits::capacity];       // by row: the states of which it sees the old value
     Plan plan;
 
     constexpr const Row& row(int r) const { return rows[static_cast<std::size_t>(r)]; }
@@ -215,8 +216,9 @@ private:
         ancestors = with_what_they_read(rows, advances) - advances;
     }
 
-    // Which states a row sees as they were. One of which only rates are made sees all states so: it shares a sweep with
-    // other rates, and nobody else minds. One that others read too sees those whose own advance waits for it.
+    // The states of which a row sees the old value. A row from which only rates are computed sees old values of all
+    // states: it shares a sweep with other rates, and no other row is affected. A row that others read too sees old
+    // values of those states whose own advance waits for it.
     constexpr void find_old() {
         const Bits shared = shared_ancestors();
         for (int r = 0; r < static_cast<int>(n); ++r)
@@ -232,8 +234,8 @@ private:
                     }
             }
     }
-    // The ancestors whose results others than ancestors depend on, and what reads results of these: it must see the
-    // same states as they.
+    // The ancestors whose results other rows depend on too, and the rows that read these results: they must see the
+    // same states.
     constexpr Bits shared_ancestors() const {
         Bits others, written;
         for (int r = 0; r < static_cast<int>(n); ++r)
@@ -274,7 +276,7 @@ private:
             if (advanced.test(c) && !it.advances && !sees_old(r, c) && !column_advanced(c))
                 return false;
         }
-        if (it.advances) // whoever needs the old value must have had it
+        if (it.advances) // rows that need the old value must be done before
             for (int other = 0; other < static_cast<int>(n); ++other)
                 if (!done.test(other) && needs_old(other, it))
                     return false;
@@ -310,13 +312,13 @@ private:
         return -1;
     }
 
-    // Nothing is ready any more. Whoever follows the waiting from row to row ends up going round in a circle: two
-    // neighbours on it are the rows at fault, not the innocent ones that wait for them.
+    // No row is ready any more. Following the dependencies from row to row ends in a cycle: two neighbours on it are
+    // the rows at fault, not the rows that wait for them.
     constexpr void find_cycle() {
         int r = 0;
         while (r + 1 < static_cast<int>(n) && (done.test(r) || waits_for(r) < 0))
             ++r;
-        if (waits_for(r) < 0) { // no circle: a row that nobody ever makes ready
+        if (waits_for(r) < 0) { // no cycle: a row that never becomes ready
             plan.fault = Fault::cycle;
             plan.row = r;
             return;
@@ -343,7 +345,7 @@ private:
         step.rows[static_cast<std::size_t>(step.size++)] = r;
     }
 
-    // Particle rows that become ready one after the other share a loop as long as they are of one phase.
+    // Successive ready particle rows share a loop as long as they belong to one phase.
     constexpr void particle_loops() {
         for (bool any = true; any;) {
             any = false;
@@ -367,7 +369,7 @@ private:
         }
     }
 
-    // Is a row whose results are summed over all particles of r's phase still to come, or in this loop?
+    // Is a row whose results are summed over all particles of r's phase still pending, or in this loop?
     constexpr bool waits_for_sum(const Step& step, int r) const {
         for (int k = 0; k < static_cast<int>(n); ++k)
             if (row(k).summed && row(k).phase == row(r).phase && !done.test(k))
@@ -378,7 +380,7 @@ private:
         return false;
     }
 
-    // Does some row that is not done yet wait for what row r adds?
+    // Does some pending row wait for what row r adds?
     constexpr bool awaited(int r) const {
         for (int k = 0; k < static_cast<int>(n); ++k)
             if (!done.test(k) && k != r && (row(k).reads & (row(r).adds | row(r).sets)).any())
@@ -410,7 +412,7 @@ private:
         if (!any_due)
             for (int p = 0; p < phases; ++p)
                 sweep(p, is_ready, true, swept);
-        done = done | swept; // after all: a sweep sees what was there when the round's sweeps began
+        done = done | swept; // only now: a sweep sees the values from before the round's sweeps
     }
 
     constexpr void sweep(int p, const Bits& is_ready, bool only_awaited, Bits& swept) {

@@ -23,7 +23,7 @@ template <int dim>
 struct Settings {
     /// Acceleration that acts on every particle that moves, m/s^2.
     std::array<double, static_cast<std::size_t>(dim)> gravity{};
-    /// Support radius H of all phases that do not bring their own, m.
+    /// Support radius H of all phases that do not set their own, m.
     double support_radius = 0;
     /// Courant-Friedrichs-Lewy number: the fraction of the longest stable step that is used.
     double cfl = 0.75;
@@ -33,28 +33,28 @@ struct Settings {
     double max_time_step = 1e-2;
     /// Lower end and length of the periodic sides, m; a length of 0: not periodic.
     std::array<double, static_cast<std::size_t>(dim)> periodic_lower{}, periodic_length{};
-    /// The place from which positions are stored, m. In float a coordinate of 10,000 spacings has lost so many digits
-    /// that forces are wrong by 2e-3 (double: nothing); with an origin near the particles they are not, wherever that
-    /// is. Points that are added and predicates on points are in the coordinates of the world; the views
-    /// `scene[phase]`, and snapshots, are relative to the origin.
+    /// The point relative to which positions are stored, m. In float, a coordinate of 10,000 spacings has lost so many
+    /// digits that forces are wrong by 2e-3 (double: no error); with an origin near the particles the loss disappears.
+    /// Points that are added and predicates on points are in world coordinates; the views `scene[phase]` and snapshots
+    /// are relative to the origin.
     std::array<double, static_cast<std::size_t>(dim)> origin{};
-    /// Every so many steps the particles are sorted and their neighbours found. Above 1, steps in between keep the
-    /// neighbours they have, as the inner steps of dual time stepping do (Zhang, Rezavand and Hu 2020), unless a
-    /// particle may have travelled more than 5 % of a support radius. Pairs that come within reach meanwhile are
+    /// Number of steps after which particles are sorted and neighbours found again. Above 1, the steps in between reuse
+    /// the neighbour lists, as the inner steps of dual time stepping do (Zhang, Rezavand and Hu 2020), unless a
+    /// particle may have travelled more than 5 % of a support radius. Pairs that come within reach in between are
     /// missed: at 0.95 H and more the gradient of WendlandC2 is below 0.2 % of its greatest value, at 0.9 H (both have
-    /// come 5 % nearer) it is 0.9 %. Positions leave a periodic box by that much, too. See `search_skin`. Walls that
-    /// the program moves are seen to move; of a phase that moves by itself only the velocities are looked at, so a
-    /// program that writes its positions takes 1.
+    /// come 5 % nearer) it is 0.9 %. Positions may leave a periodic box by that much, too. See `search_skin`. The
+    /// motion of walls that a program moves is noticed; of phases that move by themselves only velocities are checked,
+    /// so a program that writes their positions must use 1.
     int search_interval = 1;
-    /// Neighbours that serve several steps are looked for this much further than the support radius, as a share of it,
-    /// and serve until a particle may have travelled half of that: then no pair is missed (Verlet 1967). 0: the 5 % of
-    /// `search_interval`. It also serves the short steps of DualStepping. A wide skin makes searches rare and sums
-    /// long; 0.1 is a good choice where steps are short beside the particles' own motion.
+    /// Skin of neighbour lists that serve several steps, as a share of the support radius: neighbours are searched this
+    /// much further, and the lists serve until a particle may have travelled half of that, so no pair is missed (Verlet
+    /// 1967). 0: the 5 % of `search_interval`. It also serves the short steps of DualStepping. A wide skin makes
+    /// searches rare and sums long; 0.1 is a good choice where a particle moves little in a step.
     double search_skin = 0;
     /// Threads, at most 1024; 0: all of the machine.
     int threads = 0;
-    /// Is called with each warning (`Solver::warnings`) as it comes: what deserves a look but is no error. A program
-    /// may take them over, as into its own log; an empty function says nothing.
+    /// Is called with each warning (`Solver::warnings`) as it comes: something that deserves a look but is no error. A
+    /// program may put its own function here, such as a log; an empty function prints nothing.
     std::function<void(const std::string&)> on_warning = print_warning;
 
     /// Throws Error for a number that is not finite or out of range.

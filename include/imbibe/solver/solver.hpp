@@ -28,15 +28,15 @@ class IMBIBE_PER_BUILD Solver
     using Base = SceneRun<dim == 2 ? 2 : 3, std::conditional_t<detail::is_real<Real_>, Real_, double>>;
 
 public:
-    // It says by itself what is wrong, once.
+    // Reports what is wrong by itself, once.
     static_assert(detail::check_scene<dim, Real_, Integrator_, Items...>() || true);
 
     /// 2 or 3.
-    static constexpr int dimension = dim == 2 ? 2 : 3; // of any other, one error is enough
+    static constexpr int dimension = dim == 2 ? 2 : 3; // any other value is an error already
     /// What the compiler worked out: fields, rows, plans.
     using Scene = typename detail::SceneOf<dimension, Real_, Integrator_, Items...>::type;
 
-    // Behind an error about them, numbers and integrators that make no second one.
+    // After an error about them, numbers and integrators that cause no second one.
     /// The type of all stored numbers.
     using Real = std::conditional_t<detail::is_real<Real_>, Real_, double>;
     /// How a step is made of rates.
@@ -68,10 +68,11 @@ public:
     /// May be called again for the same phase: the material given first is that of the phase (change it by
     /// `scene[phase].material()`), so all numbers of the material, its coefficients and the spacing must be the same.
     ///
-    /// Particles of a total-Lagrangian phase are neighbours for good of those that they are added within a support
-    /// radius of: two calls, or two bodies in one, so near to each other make one body. A body that is added to a run
-    /// comes where none of the phase was put (its positions may be shifted afterwards, all by the same).
-    /// @return what names the phase in `scene[...]`
+    /// Particles of a total-Lagrangian phase are permanent neighbours of those that are added within a support radius:
+    /// two bodies that near to each other become one, whether added in one call or two. A body that is added to a run
+    /// must be placed where no particle of the phase was ever added (all its positions may be shifted afterwards by the
+    /// same vector).
+    /// @return the handle of the phase in `scene[...]`
     /// @throws Error for a material or spacing out of range, a coordinate that is not finite, a point nearer than
     /// 1e-3 spacings to another or to a particle of the phase, and in a total-Lagrangian phase a point within the
     /// support radius of where a particle was added that has left by more than a tenth of the distance; the scene is
@@ -79,7 +80,7 @@ public:
     template <class P>
     PhaseHandle<P> add(const P& material, const std::vector<Point>& points, double spacing);
     /// Holds the particles of a phase whose position fulfils `held`: they stop and stay. The phase must list the term
-    /// `Clamped`. Returns how many they are.
+    /// `Clamped`. Returns their number.
     template <class P, class Held>
     int hold(PhaseHandle<P>, const Held& held) {
         int number = 0;
@@ -100,8 +101,8 @@ public:
         }
         return number;
     }
-    /// Removes the particles of a phase that `gone` chooses, by their position, gone(x), or by the view of the phase
-    /// and their index in it, gone(view, i). Returns how many they were. Views end here.
+    /// Removes the particles of a phase that `gone` chooses, by position, gone(x), or by the view of the phase and the
+    /// index in it, gone(view, i). Returns their number. Views become invalid.
     template <class P, class Gone>
     int remove_if(PhaseHandle<P> handle, const Gone& gone) {
         if constexpr (State<P>::keeps_reference)
@@ -115,10 +116,10 @@ public:
         return static_cast<int>(removed);
     }
     /// Hands particles of a phase over to another one, with all fields that both have by name, unit and rank, such as
-    /// position, velocity, mass and those of one's own: water that freezes. What only the other one has begins as with
-    /// particles that are added. The density keeps its ratio to that at rest, so the volume changes where that differs.
-    /// Chosen as by remove_if; views end here. Of a phase that is to begin without particles give the material:
-    /// `scene.add(Ice{{...}}, {}, spacing)`.
+    /// position, velocity, mass and user fields: water that freezes. Fields that only the other phase has start as for
+    /// added particles. The ratio of the density to the reference density is kept, so the volume changes if the
+    /// reference densities differ. Particles are chosen as by remove_if; views become invalid. A phase that starts
+    /// without particles needs its material: `scene.add(Ice{{...}}, {}, spacing)`.
     /// @return the numbers of each of these particles, before and now
     /// @throws Error where the other phase has no material
     template <class P, class Q, class Which>
@@ -183,7 +184,7 @@ public:
     /// How many of them the last step was made of.
     int substeps() const requires subcycles { return this->substeps_; }
     /// Steps until `end`, s, and calls every observer with the scene before the first step and after each one. The last
-    /// step ends there; it is up to a millionth longer than the limits allow where else such a rest would be left.
+    /// step ends there; it may exceed the limits by a millionth, to avoid a tiny extra step.
     /// @throws Error for an end that is no number, and what observers throw
     template <class... Observers>
     void run_until(double end, Observers&&... observers) {
@@ -191,7 +192,7 @@ public:
         this->prepare();
         (observers(*this), ...);
         while (time_ < end * (1 - 1e-12)) {
-            this->prepare(); // observers may add particles and change numbers
+            this->prepare(); // observers may have added particles or changed numbers
             TimeStepLimit chosen = this->next_step();
             const double left = end - time_;
             if (left < chosen.seconds * (1 - 1e-6))
@@ -225,7 +226,7 @@ private:
     }
     void advance([[maybe_unused]] double seconds, [[maybe_unused]] int substeps) override {
         if constexpr (!steps_are_defined)
-            return; // an error of its own
+            return; // reported by another rule
         else if constexpr (subcycles)
             Integrator::step(engine_, seconds, substeps);
         else
@@ -244,13 +245,13 @@ private:
     template <class C>
     static auto find_coupling(auto& engine) {
         if constexpr (detail::contains<C, typename Scene::All> && !detail::CouplesPhases<C>)
-            return &detail::nothing<C>(); // an error of its own
+            return &detail::nothing<C>(); // reported by another rule
         else if constexpr (detail::in_the_scene<C, Couplings, list_the_coupling_in_the_solver>())
             return &engine.template coupling<C>();
         else
             return &detail::nothing<C>();
     }
-    // Which particles are chosen, by position or by view and index.
+    // Chooses particles by position or by view and index.
     template <class P, class Which>
     std::vector<char> chosen(PhaseHandle<P> handle, const Which& which) {
         const auto s = find_phase<P>(engine_);
@@ -263,7 +264,7 @@ private:
                 all[static_cast<std::size_t>(i)] = which(position_of(s, i));
         return all;
     }
-    // A particle's place in the coordinates of the world.
+    // A particle's position in world coordinates.
     template <class S>
     Point position_of(const S& s, int i) const {
         Point x;
@@ -274,7 +275,7 @@ private:
     }
 };
 
-// Functions of some length, out of the class: a program may leave them to a library (`extern template`).
+// Longer functions, outside the class: a program may leave them to a library (`extern template`).
 
 template <int dim, class Real_, class Integrator_, class... Items>
 template <class P>

@@ -1,4 +1,4 @@
-// Who runs the loops of a scene: the threads of the processor, or what a program puts in their place.
+// What runs the loops of a scene: the threads of the processor, or a program's replacement.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -6,9 +6,9 @@
 
 namespace imbibe::detail {
 
-/// Runs the bodies of loops. A body may touch what its loop declares and nothing else (Loop::reads_own, reads_near and
-/// writes), and each particle is computed without the others' results: so a space may call it for the particles in any
-/// order, and may hold these columns only.
+/// Runs the bodies of loops. A body touches only what its loop declares (Loop::reads_own, reads_near and writes), and
+/// each particle is computed without the others' results: so a space may call it for the particles in any order, and
+/// need hold only these columns.
 template <int dim, class Real>
 class IMBIBE_PER_BUILD Space {
 public:
@@ -20,7 +20,7 @@ public:
     virtual void launch(SceneEngine<dim, Real>& scene, const Loop<dim, Real>& loop) const = 0;
 };
 
-/// Deals the particles out to the scene's threads, in blocks.
+/// Distributes the particles over the scene's threads, in blocks.
 template <int dim, class Real>
 class IMBIBE_PER_BUILD Threads final : public Space<dim, Real> {
 public:

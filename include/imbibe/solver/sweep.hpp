@@ -1,5 +1,5 @@
-// The loops: over the particles of a phase, and over their neighbours. The pair loop gathers: each particle sums over
-// its own runs in a fixed order and nobody else writes there, so threads never race and never change a bit.
+// The loops over the particles of a phase and over their neighbours. The pair loop gathers: each particle sums over its
+// own runs in a fixed order and only its own sums are written, so threads never race and never change a bit.
 #pragma once
 
 #include <imbibe/solver/nodes.hpp>
@@ -7,7 +7,7 @@
 
 namespace imbibe::detail {
 
-/// A vector of the scene, such as gravity, in the numbers of a part.
+/// A vector of the scene, such as gravity, in the number type of a part.
 template <class T, int dim>
 IMBIBE_INLINE Vector<T, dim> in_numbers(const Vector<double, dim>& v) {
     Vector<T, dim> result;
@@ -16,12 +16,13 @@ IMBIBE_INLINE Vector<T, dim> in_numbers(const Vector<double, dim>& v) {
     return result;
 }
 
-/// Where each component of a phase's fields begins. They are kept in memory and not made from a stride where they are
-/// used: a compiler that knows the stride adds up addresses for every column of every pack.
+/// The addresses of each component of a phase's fields. They are kept in memory, not computed from a stride: a compiler
+/// that knows the stride computes an address for every column of every pack.
 template <int dim, class List, class Real>
 using Columns = std::array<const Real*, static_cast<std::size_t>(component_count<dim, List>)>;
 
-/// A pack of consecutive neighbours as a part sees them. That only declared fields are read, the dry run has checked.
+/// A pack of consecutive neighbours as a part sees them. The dry run has checked that a part reads only declared
+/// fields.
 template <class P, class List, int dim, class Real, int width>
 struct NeighbourView {
     using Material = P;
@@ -47,8 +48,8 @@ struct NeighbourView {
     IMBIBE_INLINE Vector<Scalar, dim> gravity() const { return in_numbers<Scalar>(gravity_now); }
 };
 
-/// Fields of the particle that is computed, each number in all lanes of a pack: in a sweep loaded once for all its
-/// neighbours. Or of as many consecutive particles as a pack has lanes.
+/// Fields of the computed particle, each number in all lanes of a pack: a sweep loads them once for all its neighbours.
+/// Or those of as many consecutive particles as a pack has lanes.
 template <class List, int dim, class T>
 struct OwnValues {
     T values[static_cast<std::size_t>(component_count<dim, List> > 0 ? component_count<dim, List> : 1)];
@@ -58,7 +59,7 @@ struct OwnValues {
     IMBIBE_INLINE void load(const Real* first, std::size_t stride) {
         load_fields<Stored>(first, stride, List{}, [](const Real* number) { return T(*number); });
     }
-    /// The same of the particles from there on.
+    /// The same for consecutive particles from there on.
     template <class Stored, class Real>
     IMBIBE_INLINE void load_consecutive(const Real* first, std::size_t stride) {
         load_fields<Stored>(first, stride, List{}, [](const Real* number) { return T::load(number); });
@@ -93,8 +94,8 @@ struct OwnView {
     const OwnValues<List, dim, T>& own;
     const P& material;
     const Vector<double, dim>& gravity_now;
-    double time_step; ///< by how much states are advanced in this step, s; 0 for what is computed once
-    double time;      ///< of the scene where the step begins, s
+    double time_step; ///< time by which states are advanced in this step, s; 0 for what is computed once
+    double time;      ///< of the scene at the begin of the step, s
 
     template <class F>
     IMBIBE_INLINE auto operator[](F) const {
@@ -111,7 +112,8 @@ struct OwnFieldsOf<dim, TypeList<N...>> {
     using type = Unique<Concat<ReadsOnA<dim, N>...>>;
 };
 
-/// The sums of a sweep, field by field, and the contributions along the line of centres not yet multiplied out.
+/// The sums of a sweep, field by field, with the contributions along the line of centres not yet multiplied by the
+/// offset.
 template <class List, int dim, class T>
 struct Sums {
     T total[static_cast<std::size_t>(component_count<dim, List>)];
@@ -138,7 +140,7 @@ IMBIBE_INLINE void add_all(Sums<List, dim, T>& sums, const R& result, std::index
         (sums.template add<At<static_cast<int>(k), typename Node_::Adds>>(result), ...);
 }
 
-/// A part with its coefficients, and what follows from them, filled in from the phase or coupling that owns it.
+/// A part with its coefficients and prepared numbers, filled in from the phase or coupling that owns it.
 template <class N, class Owner>
 IMBIBE_INLINE auto make_part(const Owner& owner) {
     typename N::Part part{};
@@ -149,7 +151,7 @@ IMBIBE_INLINE auto make_part(const Owner& owner) {
     return part;
 }
 
-/// Neighbours of a sweep: which phase, by which positions, and how far; see Node.
+/// The neighbours of a sweep: the phase, the kind of positions, and the reach; see Node.
 template <class B_, bool reference_, class Reach_>
 struct Source {
     using B = B_;
@@ -176,9 +178,8 @@ struct AddsOfNodes<TypeList<N...>> {
     using type = Unique<Concat<typename N::Adds...>>;
 };
 
-/// What the squared distances of a run are raised to, by how many neighbours it has: 0 for these, and for what lies
-/// behind them a number beyond the support, where every kernel is zero. One instruction where a comparison of lanes
-/// takes five.
+/// Lower bounds of the squared distances of a run, by its number of neighbours: 0 for these, and beyond the support,
+/// where every kernel is zero, for the lanes behind them. One instruction, where a comparison of lanes takes five.
 template <class Real, int width>
 class IMBIBE_PER_BUILD LeastDistances {
 public:
@@ -196,7 +197,7 @@ private:
     alignas(sizeof(Real) * 2 * lanes) Real squared_[2 * lanes]{}; ///< zeros, then the number
 };
 
-/// What a sweep needs to know of one source, with the fields of List.
+/// The data of one source for a sweep, with the fields of List.
 template <int dim, class List, class Real, int width>
 struct SourceData {
     Columns<dim, List, Real> columns;
@@ -206,7 +207,7 @@ struct SourceData {
     LeastDistances<Real, width> least_distances;
 };
 
-/// What a single node contributes for one run of neighbours.
+/// The contribution of a single node for one run of neighbours.
 template <class N, class ListB, class Own, int dim, class Real, int width, class Part, class Adds>
 IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>& sums, const Own& a,
                            const SourceData<dim, ListB, Real, width>& source, const typename N::B& material_b,
@@ -217,10 +218,10 @@ IMBIBE_INLINE void add_run(const Part& part, Sums<Adds, dim, Pack<Real, width>>&
                                              std::make_index_sequence<static_cast<std::size_t>(N::Adds::size)>{});
 }
 
-/// What a node gives for a pair: a value for each field it adds to.
+/// A node's result for a pair: a value for each field it adds to.
 template <class N, class R>
 struct Gives {
-    /// Is what it gives for F along the line of centres?
+    /// Is its result for F along the line of centres?
     template <class F>
     static constexpr bool along_centres() {
         if constexpr (is_tuple<R>)
@@ -243,7 +244,7 @@ IMBIBE_INLINE void multiply_out(Sums<TypeList<F...>, dim, T>& sums, const Vector
     (one(std::type_identity<F>{}), ...);
 }
 
-/// Adds to `sums` what the neighbours of particle i from one source contribute, run by run and node by node.
+/// Adds the contributions of the neighbours of particle i from one source to `sums`, run by run and node by node.
 /// @tparam S the source, with the fields ListB, @tparam A the particle's phase, with the fields ListA
 template <class S, class ListB, class A, class ListA, class... N, class Adds, class Own, int dim, class Real, int width,
           class PartTuple, std::size_t... k>
@@ -260,8 +261,8 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     Pair<dim, T> ab;
     ab.set(support);
     ab.gravity_now = a.gravity_now;
-    // A particle is its own neighbour. Told so, the compiler computes what is the same for all particles once, before
-    // the loop over them; else it does so for each of them anew, behind the question whether there is any neighbour.
+    // A particle is its own neighbour. With this assumption the compiler computes loop invariants once, before the loop
+    // over particles; otherwise it does so for each particle, after checking whether there is any neighbour.
     if constexpr (std::is_same_v<A, typename S::B>)
         IMBIBE_ASSUME(!own_runs.is_empty());
     else if (own_runs.is_empty())

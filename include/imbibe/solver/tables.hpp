@@ -1,6 +1,6 @@
-// A scene as plain data: its phases, the couplings between them, who has neighbours among whom, and the passes that
-// evaluate its terms. lowering.hpp makes these tables from the types of a scene, once. What runs a scene reads them and
-// is ordinary code; only the bodies of its loops (loop_bodies.hpp) are templates of the scene.
+// A scene as plain data: its phases, couplings, neighbour links, and the passes that evaluate its terms. lowering.hpp
+// makes these tables from the types of a scene, once. The code that runs a scene reads them and is ordinary code; only
+// the bodies of its loops (loop_bodies.hpp) are templates of the scene.
 #pragma once
 
 #include <imbibe/core/build_options.hpp>
@@ -19,7 +19,7 @@ namespace imbibe::detail {
 struct FieldRow {
     std::string_view name, unit;
     Rank rank = Rank::scalar;
-    bool shown = false;    ///< in snapshots: a state, or one that says so
+    bool shown = false;    ///< in snapshots: a state, or a field that is `shown`
     int first = 0;         ///< its first column
     int components = 0;    ///< how many columns
     bool is_state = false; ///< given or integrated
@@ -32,11 +32,11 @@ struct StateRow {
     bool is_density = false;
 };
 
-/// Numbers of a phase's material that running a scene needs, whatever its terms.
+/// Numbers of a phase's material for running a scene with any terms.
 struct PhaseNumbers {
     double support_radius = 0, spacing = 0; ///< m
     double sound_speed = 0;                 ///< m/s; 0 for a wall
-    double density = 0;                     ///< at rest, kg/m^3
+    double density = 0;                     ///< reference density, kg/m^3
 };
 
 /// A phase. Columns are -1 where a field is not stored.
@@ -45,14 +45,14 @@ struct PhaseRow {
     std::span<const FieldRow> fields;
     std::span<const StateRow> states;
     int components = 0; ///< how many columns it has
-    int first_bit = 0;  ///< its fields are the bits from there on in the sets of a loop
-    bool moves = false;  ///< by forces, or is it a wall
+    int first_bit = 0;  ///< its fields are the bits from here on in the sets of a loop
+    bool moves = false;  ///< moved by forces?
     bool drifts = false; ///< are its positions advanced by its velocity?
     bool fluid = false;
     int position = -1, reference_position = -1, velocity = -1, acceleration = -1, mass = -1;
     int density = -1, density_rate = -1, mobility = -1, transport_correction = -1, supported_share = -1;
     int implicit_acceleration = -1, porosity = -1;
-    std::any (*material)() = nullptr; ///< one that nobody has given numbers yet
+    std::any (*material)() = nullptr; ///< one without numbers yet
     PhaseNumbers (*numbers)(const std::any& material) = nullptr;
 
     /// The field that begins at a column.
@@ -62,7 +62,7 @@ struct PhaseRow {
                 return field;
         return fields.front();
     }
-    /// Does it stay in the order of its stress-free configuration, and is it seen by others through a sorted copy?
+    /// Does it stay in the order of its stress-free configuration, so that others see a sorted copy?
     constexpr bool keeps_reference() const { return reference_position >= 0; }
 };
 
@@ -70,35 +70,35 @@ struct PhaseRow {
 struct CouplingRow {
     std::string (*name)() = nullptr; ///< among all couplings of the scene
     int first = 0, second = 0;       ///< its phases
-    bool overlaps = false;           ///< are the two meant to be in the same place?
-    bool asks_for_nearest = false;   ///< the distance of their nearest particles: it has a repulsion
-    /// Is the first one, or the second, a fluid that is pushed by pressure, whose density follows from its motion and
-    /// does not count the other?
+    bool overlaps = false;           ///< may the two overlap?
+    bool asks_for_nearest = false;   ///< for the distance of their nearest particles: it has a repulsion
+    /// Is the first phase, or the second, a fluid that is pushed by pressure, and whose density, which follows from its
+    /// motion, does not count the other?
     bool first_counts_no_second = false, second_counts_no_first = false;
-    std::any (*coupling)() = nullptr; ///< one with coefficients that nobody has changed yet
+    std::any (*coupling)() = nullptr; ///< one with default coefficients
 };
 
-/// What a limit on the time step is of.
+/// The kind of a limit on the time step.
 enum class LimitKind { of_phase, of_coupling, of_acceleration, of_advection };
 
-/// A limit on the time step: of a term of a phase or of a coupling, or of none.
+/// A limit on the time step: of a term of a phase or a coupling, or of no term.
 struct LimitRow {
     LimitKind kind = LimitKind::of_phase;
-    int phase = 0, other = -1, coupling = -1; ///< of a coupling both of its phases
+    int phase = 0, other = -1, coupling = -1; ///< both phases of a coupling
     const char* reason = nullptr;
-    /// What the term says, s; below 0 or infinite: none. @param owner has its coefficients
+    /// The term's limit, s; below 0 or infinite: none. @param owner has its coefficients
     double (*seconds)(const std::any& owner, const std::any& material, const std::any& other,
                       const TimeStepInput& in) = nullptr;
-    int greatest = -1, least = -1; ///< which of the scene's reductions the term asks for
-    bool of_substeps = false;      ///< on the short steps that a step is made of
+    int greatest = -1, least = -1; ///< the reductions of the scene that the term uses
+    bool of_substeps = false;      ///< does it limit the short steps of a step?
 };
 
-/// Phase `a` sums over neighbours in phase `b`: those of now, or those of the stress-free configuration.
+/// Phase `a` sums over neighbours in phase `b`: present ones, or those of the stress-free configuration.
 struct LinkRow {
     int a = 0, b = 0;
     bool reference = false;
-    /// A term whose neighbours they are because it says itself how far it reaches, m; null where they are those of all
-    /// other terms. @param owner has its coefficients, @param first and @param second the phases of a coupling
+    /// The support radius of a term with its own, m, for which these neighbours are; null for those of all other terms.
+    /// @param owner has its coefficients, @param first and @param second the phases of a coupling
     double (*support_of_term)(const std::any& owner, const std::any& first, const std::any& second) = nullptr;
     std::string (*term)() = nullptr; ///< its name
     int coupling = -1;               ///< its owner; -1: phase `a`
@@ -126,7 +126,7 @@ struct Loop {
     void (*body)(SceneEngine<dim, Real>&, int begin, int end) = nullptr;
 };
 
-/// What a term reduces over the particles of a phase.
+/// A term's reduction over the particles of a phase.
 template <int dim, class Real>
 class IMBIBE_PER_BUILD PhaseStore;
 template <int dim, class Real>
@@ -139,7 +139,7 @@ struct Reduction {
     double (*body)(const PhaseStore<dim, Real>& phase, int begin, int end) = nullptr;
 };
 
-/// What an integrator can ask for: loops one after the other.
+/// What an integrator can run: loops one after the other.
 template <int dim, class Real>
 struct Pass {
     std::span<const Loop<dim, Real>> loops;
@@ -147,7 +147,7 @@ struct Pass {
     std::span<const ColumnRange> kept;    ///< sums of another pass that it adds to
 };
 
-/// A scene: what does not depend on how its steps are made.
+/// The part of a scene that does not depend on how steps are made.
 struct SceneTable {
     std::span<const PhaseRow> phases;
     std::span<const CouplingRow> couplings;

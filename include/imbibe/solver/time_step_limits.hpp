@@ -1,5 +1,5 @@
-// The limits on a time step: every active term and coupling offers its own, and they are listed with their reasons.
-// Which there are is a table (limit_rows.hpp).
+// The limits on a time step: every active term and coupling has its own, listed with their reasons. limit_rows.hpp has
+// the table of them.
 #pragma once
 
 #include <imbibe/core/compiled_core.hpp>
@@ -11,17 +11,17 @@
 
 namespace imbibe {
 
-/// A limit on the time step: how long, why, and in which phase or coupling.
+/// A limit on the time step: its length, reason, and phase or coupling.
 struct TimeStepLimit {
     double seconds; ///< the longest stable step, s
-    /// What it comes from, and the phase or coupling.
+    /// Its reason, and the phase or coupling.
     std::string reason, where;
 };
 
 namespace detail {
 
 /// The limits on the steps of a scene for its present speeds, without the CFL number, shortest first.
-/// @param substeps those on the short steps that a step is made of, or those on the step itself
+/// @param substeps the limits on the short steps of a step, or on the step itself
 template <int dim, class Real>
 std::vector<TimeStepLimit> limits_of(const Neighbourhood<dim, Real>& scene, std::span<const LimitRow> rows,
                                      bool substeps);

@@ -11,7 +11,7 @@
 
 namespace imbibe::detail {
 
-/// What a phase tells its terms.
+/// The input of a phase for the limits of its terms.
 template <int dim, class Real>
 TimeStepInput limit_input(const Neighbourhood<dim, Real>& scene, int phase) {
     const PhaseNumbers numbers = scene.phase(phase).numbers();
@@ -23,7 +23,7 @@ TimeStepInput limit_input(const Neighbourhood<dim, Real>& scene, int phase) {
             .dimension = dim,
             .fastest = motion.fastest};
 }
-/// The same with what one of them asks for.
+/// The same with the reductions that one of them uses.
 template <int dim, class Real>
 TimeStepInput with_extremes(TimeStepInput in, const Neighbourhood<dim, Real>& scene, const LimitRow& row) {
     const auto of = [&](int k) {

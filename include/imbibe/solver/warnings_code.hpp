@@ -1,4 +1,4 @@
-// The code of warnings.hpp: looks, and puts it into words.
+// The code of warnings.hpp: checks a scene and makes the sentences.
 #pragma once
 
 #include <imbibe/solver/warnings.hpp>
@@ -54,7 +54,7 @@ template <int dim, class Real>
 std::string warning_of_other_spacing(const Link& link, const Neighbourhood<dim, Real>& scene) {
     const auto& s = scene.phase(link.row.a);
     const double spacing = s.numbers().spacing, apart = scene.pairs_of(link).median_nearest();
-    if (apart == 0 || apart < 1.4 * spacing) // 0: none has another within reach
+    if (apart == 0 || apart < 1.4 * spacing) // 0: no particle has another within reach
         return {};
     return text(s.name, ": its particles were added with a spacing of ", spacing, " m, and the next one is ", apart,
                 " m away (the median). Each has the mass density * spacing^dim, so the spacing must be that of ",
@@ -171,7 +171,7 @@ void note_doubts_of_scene(Warnings& warnings, const Neighbourhood<dim, Real>& sc
     for (std::size_t k = 0; k < scene.phases.size(); ++k) {
         const int phase = static_cast<int>(k);
         const Outline& a = outline[phase];
-        if (a.size() == 0 && scene.phases[k].numbers().spacing == 0) // none were added, not even on purpose
+        if (a.size() == 0 && scene.phases[k].numbers().spacing == 0) // none were added, not even an empty list
             warnings.note(text(a.name, " has no particles; was scene.add forgotten?"));
         warnings.note(warning_of_soft_fluid(scene, phase, outline));
         warnings.note(warning_of_no_shifting(scene, phase));

@@ -1,11 +1,11 @@
-// What a fluid or a solid with an equation of state stores by its density.
+// The energy that a fluid or a solid with an equation of state stores in compression.
 #pragma once
 
 #include <imbibe/core/term.hpp>
 
 namespace imbibe {
 
-/// m c^2 (rho/rho_0 - 1)^2/2 of a particle, J: what an equation of state stores near rho_0. A reduction of them.
+/// m c^2 (rho/rho_0 - 1)^2/2 of a particle, J: the energy stored near rho_0. A reduction of equations of state.
 ///
 /// Not far from rho_0: at 10 % of compression it is 14 % more than what LinearState stores.
 ///

@@ -1,4 +1,4 @@
-// Liquid that starts with the pressure of its own weight.
+// A liquid that starts with its hydrostatic pressure.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -15,7 +15,7 @@ namespace imbibe {
 struct add_an_equation_of_state_with_density_at_such_as_Tait;
 
 namespace rules {
-/// Rule: a phase that starts with the pressure of its own weight has a term that says its density at a pressure.
+/// Rule: a phase that starts with hydrostatic pressure has a term that gives its density at a pressure.
 template <class Phase, class Advice>
 struct NoDensityAtAPressure {
     static_assert(sizeof(Phase) == 0,
@@ -25,7 +25,7 @@ struct NoDensityAtAPressure {
 
 namespace detail {
 
-// The density at which a material has a pressure, kg/m^3, as the one of its terms says that is an equation of state.
+// The density at which a material has a pressure, kg/m^3, by its equation of state.
 template <class Material, class... Terms>
 double density_at(const Material& material, double p, TypeList<Terms...>) {
     if constexpr (!(requires { Terms::density_at(material, p); } || ...))
@@ -39,10 +39,10 @@ double density_at(const Material& material, double p, TypeList<Terms...>) {
     return found;
 }
 
-// The pressure at a depth under a surface that has one, dp/d(depth) = rho(p) g, Pa. @param g of gravity, m/s^2
+// The pressure at a depth under a surface with a given pressure, dp/d(depth) = rho(p) g, Pa. @param g of gravity, m/s^2
 template <class Material>
 double hydrostatic_pressure(const Material& material, double g, double depth, double at_the_surface) {
-    constexpr int steps = 8; // of Runge and Kutta's; water is compressed so little that one would do, not a gas
+    constexpr int steps = 8; // Runge-Kutta steps; one would do for water, but not for a gas
     const double h = depth / steps;
     const auto slope = [&](double p) { return g * density_at(material, p, typename Material::terms{}); };
     double pressure = at_the_surface;
@@ -66,15 +66,15 @@ double hydrostatic_pressure(const Material& material, double g, double depth, do
 /// Without it a liquid starts with no pressure at all, falls into its own springs, and the pressure swings between
 /// nothing and twice its mean for seconds of run time. What is above the surface has the pressure of the surface.
 ///
-/// The mass has to follow because volumes, m/rho, are those between which the particles were put: with denser
-/// particles of the same mass they would be too small for their lattice, and the liquid would fall a little after all.
-/// So there is more of it, by g depth/(2 c^2) of itself: a quarter of a per cent where c^2 = 200 g depth.
+/// The mass changes with the density because the volume m/rho must stay that of the lattice: denser particles of the
+/// same mass would be too small, and the liquid would still fall a little. So the mass grows, by a share of
+/// g depth/(2 c^2): a quarter of a per cent where c^2 = 200 g depth.
 ///
-/// An equation of state of a program's own takes part if it has `static double density_at(const auto& material, double
-/// p)`, kg/m^3, of the pressure p in Pa.
+/// A user's equation of state takes part if it has `static double density_at(const auto& material, double p)`, kg/m^3,
+/// at the pressure p in Pa.
 ///
-/// Not for a column that is let go at once (a dam break), whose pressure is another one; not where the liquid does not
-/// stand, layer by layer, on a wall or on a denser liquid. Of two liquids, one above the other, the lower one has a
+/// Not for a column that is released at once (a dam break), whose pressure is another one. Not where the liquid does
+/// not rest, layer by layer, on a wall or on a denser liquid. Of two liquids, one above the other, the lower one has a
 /// pressure at its surface: the weight of the upper one, rho g times its height.
 ///
 /// @param scene the scene

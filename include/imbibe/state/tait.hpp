@@ -1,4 +1,4 @@
-// Tait's equation of state: the stiff liquid that stands in for an incompressible one.
+// Tait's equation of state: a stiff liquid that stands in for an incompressible one.
 #pragma once
 
 #include <imbibe/state/compression_energy.hpp>
@@ -21,9 +21,9 @@ struct ExponentBelowOne {
 
 /// p = rho_0 c^2 / gamma ((rho/rho_0)^gamma - 1), in Pa.
 ///
-/// A liquid that is made compressible on purpose: with a sound speed c of ten times the greatest speed its density
-/// stays within about 1 % of rho_0. gamma = 7 is water's; the paper leaves it open. The power is written as
-/// (rho - rho_0)/rho_0 times a geometric sum, so that the pressure keeps its digits in float near rho_0.
+/// A liquid with artificial compressibility: with a sound speed c of ten times the greatest speed its density stays
+/// within about 1 % of rho_0. gamma = 7 is water's; the paper leaves it open. The power is written as (rho -
+/// rho_0)/rho_0 times a geometric sum, so that the pressure keeps its digits in float near rho_0.
 ///
 /// Not for gases, not for real sound (c is not the liquid's), and not where density comes from summation near a free
 /// surface: its deficit there would be read as tension. Below rho_0 the pressure is negative, and a fluid in tension
@@ -57,14 +57,14 @@ struct Tait {
 
     static constexpr const char* limit_name = "sound";
     static double time_step_limit(const auto& material, const TimeStepInput& in) {
-        // Not in the class: clang++ 14 would take a class that fails there for none of a term's, a second error.
+        // Not in the class: clang++ 14 would then report that the term has no such class, a second error.
         if constexpr (gamma < 1)
             detail::break_rule<rules::ExponentBelowOne<Tait, give_it_a_whole_number_from_1_on_such_as_7_of_water>>();
         return acoustic_time_step(material, in);
     }
 
 private:
-    // Where it is refused, 1 lets everything else compile, so that there is one error.
+    // For a refused exponent, 1 lets everything else compile, so that there is one error.
     static constexpr int exponent = gamma >= 1 ? gamma : 1;
 };
 

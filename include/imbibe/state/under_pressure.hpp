@@ -1,4 +1,4 @@
-// An equation of state with a pressure added to all of the fluid.
+// An equation of state with a background pressure.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -23,14 +23,14 @@ struct UnderPressureParameters {
     }
 };
 
-/// p = p_b + p of `State`, in Pa: at its reference density the fluid is under the pressure p_b. For fluids that fill
-/// what they are in. The particles of a fluid in tension form clumps; p_b keeps it from tension, be it of a flow
-/// (p_b of rho v^2) or of an interface (1.5 sigma/spacing for InterfaceForce, three times the stress in it).
+/// p = p_b + p of `State`, in Pa: at its reference density the fluid has the pressure p_b. For fluids that fill their
+/// container. Particles of a fluid in tension form clumps; p_b prevents tension, whether from a flow (p_b of rho v^2)
+/// or from an interface (1.5 sigma/spacing for InterfaceForce, three times the stress in it).
 ///
 /// All fluids of a scene have the same p_b.
 ///
-/// Not for a free surface: the fluid would spread. Not beside DensityFloor, which is an error: that lets no pressure
-/// fall below p_b. Beside CorrectedGradients: with VolumePressure particles under p_b resist shear.
+/// Not for a free surface: the fluid would spread. Not beside DensityFloor (an error), which lets no pressure fall
+/// below p_b. Use it with CorrectedGradients: with VolumePressure particles under p_b resist shear.
 ///
 /// Source: Morris, Fox and Zhu (1997); Hu and Adams (2006).
 template <class State = LinearState>

@@ -1,4 +1,4 @@
-// The fastest wave of a material: what an equation of state asks of the time step.
+// The fastest wave of a material, and the time step limits that follow from it.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -20,7 +20,7 @@ double fastest_wave_speed(const auto& material) {
 }
 
 namespace detail {
-// The mean speed of sound of a pair, m/s. What no force moves shows the other's: that of a wall is no sound.
+// The mean speed of sound of a pair, m/s. A wall takes that of the other phase, because its own means nothing.
 constexpr double mean_sound_speed(const auto& material_a, const auto& material_b) {
     if constexpr (!std::remove_cvref_t<decltype(material_a)>::moves)
         return material_b.sound_speed;
@@ -35,25 +35,25 @@ constexpr double mean_sound_speed(const auto& material_a, const auto& material_b
 /// Courant-Friedrichs-Lewy limit of a compressible material. The solver multiplies it with the CFL number.
 ///
 /// Rates of densities and forces of pressure are two sums over kernel gradients, one the negative transpose of the
-/// other, so that no wave is faster than c times the largest |sum_b V_b grad W_ab sin(k.x_ab)|, and a symplectic step is
-/// stable below 2 over that frequency: on square and cubic lattices with two or more spacings a support 0.9 H/c with
-/// WendlandC2, the cubic spline and Spiky, 0.76 H/c with WendlandC4 and the quintic spline, 0.68 H/c with WendlandC6.
-/// Wider supports see no wave as short as a spacing. 0.6 leaves room for disorder and viscosity. Below 1.7 spacings a
-/// support a lattice would allow much more, but particles that come nearer to each other than in a lattice would not.
+/// other, so the highest frequency is c times the largest |sum_b V_b grad W_ab sin(k.x_ab)|, and a symplectic step is
+/// stable below 2 over that frequency. On square and cubic lattices with two or more spacings a support this is 0.9 H/c
+/// with WendlandC2, the cubic spline and Spiky, 0.76 H/c with WendlandC4 and the quintic spline, 0.68 H/c with
+/// WendlandC6. Wider supports do not resolve waves as short as a spacing. 0.6 leaves room for disorder and viscosity.
+/// Below 1.7 spacings a support a lattice would allow much more, but particles closer than in a lattice would not.
 double acoustic_time_step(const auto& material, const TimeStepInput& in) {
     return std::max(in.spacing, 0.6 * in.support_radius) / (fastest_wave_speed(material) + in.max_speed);
 }
 
-/// max(spacing, 0.6 H)/(sqrt(0.18 n K/rho) + v), s: how long a step may be where what moves, of density rho, meets a
-/// fluid of stiffness K = rho_f c_f^2, whose pressure it changes by its motion and by which it is pushed; the lesser of
-/// the two ways round, v being the greatest speed of both. n is 1 between two fluids and `at_solid` at a solid, whose
-/// pressure is the fluid's: the fluid pushes it twice as hard.
+/// max(spacing, 0.6 H)/(sqrt(0.18 n K/rho) + v), s: the limit where a phase of density rho meets a fluid of stiffness K
+/// = rho_f c_f^2, whose pressure it changes by its motion and by which it is pushed. The lesser value of both roles; v
+/// is the greatest speed of both. n is 1 between two fluids and `at_solid` at a solid, whose pressure is the fluid's:
+/// the fluid pushes it twice as hard.
 ///
-/// It is shorter than the limits of the two alone only where one of them is light: a gas beside a liquid with the same
-/// speed of sound, or a soft solid of less than a third of the water's density. 0.18 is from the highest frequencies of
-/// two layers, and of one particle and of three by three (by three) within the other fluid, on lattices with supports
-/// of 1.5 to 3 spacings, with WendlandC2 and the cubic spline, the heavier fluid 10 to 1000 times as stiff. How
-/// far steps may exceed it: the rows "pressure between phases" of docs/stability.md.
+/// It is shorter than the limits of the two phases alone only if one of them is light: a gas beside a liquid with the
+/// same speed of sound, or a soft solid of less than a third of the water's density. 0.18 is from the highest
+/// frequencies of two layers, and of one particle and of three by three (by three) within the other fluid, on lattices
+/// with supports of 1.5 to 3 spacings, with WendlandC2 and the cubic spline, the heavier fluid 10 to 1000 times as
+/// stiff. How far steps may exceed it: the rows "pressure between phases" of docs/stability_tables.md.
 double interface_time_step(const auto& material_a, const auto& material_b, const TimeStepInput& in,
                            double at_solid = 2) {
     using A = std::remove_cvref_t<decltype(material_a)>;
@@ -71,10 +71,10 @@ double interface_time_step(const auto& material_a, const auto& material_b, const
 }
 
 /// max(least spacing, 0.6 H)/(0.4 c rho_heavy/rho_light + v), s, with the greatest speed of sound c of the fluids (of
-/// both, where none is one) and v of the particles: the limit on steps of two phases that push each other by
-/// SymmetricPressure and count each other's masses by Continuity. These forms weigh a neighbour with its mass where
-/// VolumePressure takes its volume, so the light side is as stiff as the ratio of the densities, not its root. How much
-/// of it holds is asserted in tests/monitor/test_longest_stable_step.cpp.
+/// both phases if neither is one) and v of the particles: the limit on steps of two phases that push each other by
+/// SymmetricPressure and count each other's masses by Continuity. These forms weight a neighbour with its mass where
+/// VolumePressure uses its volume, so the stiffness of the light side grows with the ratio of the densities, not its
+/// root. tests/monitor/test_longest_stable_step.cpp asserts how much of it is stable.
 double mass_weighted_interface_time_step(const auto& material_a, const auto& material_b, const TimeStepInput& in) {
     using A = std::remove_cvref_t<decltype(material_a)>;
     using B = std::remove_cvref_t<decltype(material_b)>;

@@ -6,9 +6,9 @@ namespace imbibe {
 /// v += dt/2 a(x), x += dt v, then states advance with the rates at the new positions, then v += dt/2 a(x).
 ///
 /// The same trajectory as SymplecticEuler started half a step off, so as stable and as cheap, but velocities belong to
-/// the time of the positions: of second order in dt for forces that depend on positions alone (a total-Lagrangian
-/// solid), where SymplecticEuler is of first. Not to gain an order where forces depend on velocities (viscosities):
-/// they see those of half a step before.
+/// the time of the positions. It is of second order in dt for forces that depend on positions alone (a total-Lagrangian
+/// solid), where SymplecticEuler is of first order. Not for second order with forces that depend on velocities
+/// (viscosities), which use those of half a step before.
 /// Source: Verlet (1967); Swope, Andersen, Berens and Wilson (1982); one evaluation of all terms a step.
 struct Leapfrog {
     static constexpr bool allows_implicit = true; ///< all terms are evaluated once a step, and velocities follow

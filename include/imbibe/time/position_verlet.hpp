@@ -6,13 +6,13 @@ namespace imbibe {
 /// x += dt/2 v, forces there, v += dt a, x += dt/2 v. States (densities, stresses) advance once a step, with the rates
 /// at the middle.
 ///
-/// As stable and as cheap as SymplecticEuler and of second order in dt for forces that depend on positions alone.
-/// Neighbours are those of the middle of the step. HughesWingetStress<AfterTheMove> suits it: between two evaluations
-/// all motion is by the same velocities. A checkpoint sorts the particles at the end of a step, so the bits of a run
-/// depend on when it wrote one; what is continued from it has those of the run that wrote it.
+/// As stable and as cheap as SymplecticEuler, and of second order in dt for forces that depend on positions alone.
+/// Neighbours are those of the middle of the step. HughesWingetStress<AfterTheMove> suits it: all motion between two
+/// evaluations has the same velocities. A checkpoint sorts the particles at the end of a step, so the bits of a run
+/// depend on when checkpoints are written; a restarted run has the bits of the run that wrote the checkpoint.
 ///
-/// Not where densities and pressures that are written out are to belong to the positions beside them: a state stands
-/// where the forces were evaluated, in the middle of the step.
+/// Not where output densities and pressures must belong to the output positions: states belong to the middle of the
+/// step, where the forces are evaluated.
 ///
 /// Source: Tuckerman, Berne and Martyna (1992); one evaluation of all terms a step.
 struct PositionVerlet {

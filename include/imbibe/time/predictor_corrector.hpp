@@ -5,17 +5,17 @@
 
 namespace imbibe {
 
-/// With y all that is integrated and f the rates of the last evaluation:
+/// With y all integrated quantities and f the rates of the last evaluation:
 ///   predictor y' = y + dt/2 f,  then f = f(y'),  corrector y = y + dt f.
 ///
-/// The cheapest step there is: one evaluation, and rates and forces of one moment in one sweep where the terms allow
-/// it. Of second order in dt. Not for undamped waves, which grow slowly, nor for long steps: give the scene a viscosity
-/// or density diffusion, and a shorter step than SymplecticEuler's. Neighbours are found before the half step: what
-/// that does to momentum is said at MidpointRungeKutta.
+/// The cheapest step: one evaluation, with rates and forces at the same time, in one sweep where the terms allow it. Of
+/// second order in dt. Not for undamped waves, which grow slowly, nor for long steps: give the scene a viscosity or
+/// density diffusion, and a shorter step than SymplecticEuler's. Neighbours are found before the half step:
+/// MidpointRungeKutta says what that does to momentum.
 ///
 /// Source: Monaghan (1994), "Simulating free surface flows with SPH".
 struct PredictorCorrector {
-    /// What is evaluated in a step, for reports.
+    /// The passes of a step, for reports.
     template <class Composition>
     using Passes = TypeList<typename Composition::Rates>;
 

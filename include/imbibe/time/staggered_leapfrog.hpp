@@ -1,4 +1,4 @@
-// Leapfrog with velocities half a step from positions and states: every rate is taken in the middle of what it moves.
+// Leapfrog with velocities half a step from positions and states: every rate is evaluated in the middle of its step.
 #pragma once
 
 #include <imbibe/core/field.hpp>
@@ -8,18 +8,18 @@ namespace imbibe {
 /// With states s (densities, stresses) and their rates D:
 ///   v += dt a(x, s),  x += dt/2 v,  s += dt D(x, v),  x += dt/2 v.
 ///
-/// Velocities belong to half steps, positions and states to whole ones, and D is taken where the particles are halfway.
-/// As cheap as SymplecticEuler wherever rates and forces are separate sweeps anyway, and as stable for sound.
+/// Velocities belong to half steps, positions and states to whole ones, and D is evaluated with the particles halfway.
+/// As stable for sound as SymplecticEuler, and as cheap wherever rates and forces are separate sweeps anyway.
 ///
-/// For everything whose density follows a continuity equation. Two particles that meet and part again have the density
-/// they had before, to O(dt^2). With D at one end of the way (SymplecticEuler, Leapfrog, PositionVerlet) they keep an
-/// excess of the order of dt, in every encounter, and the pressure it makes turns into speed: with the paper's kernel
-/// and step a pair of water particles leaves over 2 % faster than it came (tests/solver/test_integrators.cpp), and the
-/// block of water falls apart at 70 ms.
+/// For all phases whose density follows a continuity equation. Two particles that meet and part again have the same
+/// density as before, to O(dt^2). With D at one end of the move (SymplecticEuler, Leapfrog, PositionVerlet) they keep
+/// an excess of the order of dt in every encounter, and its pressure turns into speed: with the paper's kernel and step
+/// a pair of water particles leaves over 2 % faster than it came (tests/solver/test_integrators.cpp), and the block of
+/// water falls apart at 70 ms.
 ///
-/// Velocities that are set at the start are taken for those of half a step before, an error of the order of dt. What
-/// depends on velocity in a (viscosity) sees that of half a step before. Neighbours are found once a step: pairs that
-/// come within reach during its first half are missed for D, at the rim, where compact kernels are near zero.
+/// Initial velocities are taken for those of half a step before, an error of the order of dt. Velocity-dependent parts
+/// of a (viscosity) use the velocity of half a step before. Neighbours are found once a step: pairs that come within
+/// reach during its first half are missed for D, at the rim, where compact kernels are near zero.
 ///
 /// Not in place of Subcycled where a stiff solid sets the step. A phase without rates of states (total Lagrangian)
 /// moves as with SymplecticEuler. States see the velocities in the middle of the motion: HughesWingetStress<HalfWay>.
@@ -28,7 +28,7 @@ namespace imbibe {
 /// SPH see Zhang, Rezavand and Hu (2020), whose position Verlet halves the density's step as well.
 struct StaggeredLeapfrog {
     static constexpr bool allows_implicit = true; ///< all terms are evaluated once a step, and velocities follow
-    /// What is evaluated in a step, for reports.
+    /// The passes of a step, for reports.
     template <class Composition>
     using Passes = TypeList<typename Composition::Forces, typename Composition::States>;
 

@@ -9,14 +9,14 @@
 
 namespace imbibe {
 
-/// The mean velocity of a particle over the last long step, m/s: the one with which it got from where the others saw
-/// it then to where they see it now.
+/// The mean velocity of a particle over the last long step, m/s: its displacement between two evaluations of the other
+/// phases, over the time between them.
 struct MeanVelocity : Field<Rank::vector> {
     static constexpr std::string_view name = "mean_velocity", unit = "m/s";
 };
 inline constexpr MeanVelocity mean_velocity{};
 
-/// Lets a phase be the fast one of `Subcycled`. Not with another integrator, which leaves the mean at zero.
+/// Allows a phase to be the fast one of `Subcycled`. Not with another integrator, which leaves the mean at zero.
 ///
 /// Source: Zhang, Rezavand and Hu (2021), the time-averaged velocity of the structure.
 struct TimeAveragedMotion {
@@ -25,36 +25,37 @@ struct TimeAveragedMotion {
 
 struct list_the_term_TimeAveragedMotion_in_the_phase;
 namespace rules {
-/// Rule: a phase that takes shorter steps than the scene keeps the mean of its motion for the others.
+/// Rule: a phase that takes shorter steps than the scene lists the term that keeps the mean of its motion for the
+/// others.
 template <class Phase, class Advice>
 struct SubcycledWithoutMean {
     static_assert(sizeof(Phase) == 0, "imbibe: the phase that Subcycled names does not average its motion");
 };
 } // namespace rules
 
-/// SymplecticEuler for the scene, with steps that the limits of phase `Fast` do not shorten: within each, `Fast` takes
-/// as many steps of its own as its limits ask for, under the force that its couplings had at the beginning, and with
-/// what they added to its other sums then. What the others see of it is its position and its mean velocity over the
-/// last step, so that their densities follow the volume it has swept.
+/// SymplecticEuler for the scene, with steps that the limits of phase `Fast` do not shorten. Within each step, `Fast`
+/// takes as many steps of its own as its limits need, under the forces of its couplings at the start and their
+/// contributions to its other sums at the start. The other phases see its position and its mean velocity over the last
+/// step, so that their densities follow the volume it has swept.
 ///
-/// For a stiff structure in soft company: metal or rubber in water, where the solid's sound speed is several times the
-/// fluid's. `Fast` must list TimeAveragedMotion. Not where `Fast` is so light that the fluid's force must follow each
-/// of its steps (densities far below the fluid's), and without use where the limits are alike: the terms of `Fast` are
+/// For a stiff structure beside soft phases: metal or rubber in water, where the solid's sound speed is several times
+/// the fluid's. `Fast` must list TimeAveragedMotion. Not where `Fast` is so light that the fluid's force must follow
+/// each of its steps (densities far below the fluid's). No gain where the limits are alike: the terms of `Fast` are
 /// evaluated as often, its couplings and the rest less often.
 ///
 /// A solid that is not total-Lagrangian keeps its neighbours during a long step.
 ///
-/// Source: Zhang, Rezavand and Hu (2021), multi-resolution fluid-structure interaction, the time stepping; mean
-/// accelerations, which theirs passes on too, are not needed by the couplings here.
+/// Source: Zhang, Rezavand and Hu (2021), multi-resolution fluid-structure interaction, the time stepping. Their mean
+/// accelerations are not needed by the couplings here.
 template <class Fast_>
 struct Subcycled {
     /// The phase that takes short steps.
     using Fast = Fast_;
-    /// What is evaluated in a step, for reports; the terms of the fast phase in each of its own steps.
+    /// The passes of a step, for reports; the terms of the fast phase in each of its own steps.
     template <class Composition>
     using Passes =
         TypeList<typename Composition::template AllButOwnTerms<Fast>, typename Composition::template OwnTerms<Fast>>;
-    /// Is the limit that `Term` of a phase or coupling sets one on the steps of the fast phase?
+    /// Is the limit of `Term` of a phase or coupling one on the steps of the fast phase?
     template <class Where, class Term>
     static constexpr bool in_substeps = std::is_same_v<Where, Fast>;
 
@@ -63,7 +64,7 @@ struct Subcycled {
         if constexpr (Engine::template State<Fast>::template stores<MeanVelocity>) {
             using Composition = typename Engine::Composition;
             engine.template run<typename Composition::template OwnTerms<Fast>>(0);
-            engine.template run<typename Composition::template AllButOwnTerms<Fast>>(0); // its share of sums
+            engine.template run<typename Composition::template AllButOwnTerms<Fast>>(0); // its contribution to sums
             engine.template run<typename Composition::template OwnTerms<Fast>>(0);
             auto fast = engine.template state<Fast>();
             std::copy_n(fast.field(velocity), Engine::dimension * fast.stride(), fast.field(mean_velocity));
@@ -82,7 +83,7 @@ struct Subcycled {
         auto fast = engine.template state<Fast>();
         engine.find_neighbours();
 
-        exchange(engine); // the others see the mean velocity
+        exchange(engine); // the other phases use the mean velocity
         engine.template run<typename Composition::template AllButOwnTerms<Fast>>(dt);
         exchange(engine);
         engine.template kick_if<IsOther>(dt);

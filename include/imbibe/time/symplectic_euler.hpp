@@ -8,10 +8,10 @@ namespace imbibe {
 ///   rho' = rho + dt D(x, v),  v' = v + dt a(x, rho'),  x' = x + dt v'.
 /// For the acoustic oscillator this is the staggered leapfrog: it conserves energy on average and is stable to
 /// c k dt < 2. With old rates everywhere (explicit Euler) even a dry sponge at rest blows up.
-/// Not where velocities are wanted at the time of the positions, as in the energy of an undamped solid: Leapfrog. Not
-/// for vortices of little viscosity: their densities stand half a step off the positions, and the pressure they make
-/// turns with them. With steps of the default length a Taylor-Green vortex at Re = 1000 gains 3 % of energy until t = 1
-/// over one with steps of a quarter, with StaggeredLeapfrog nothing (tests/validation/test_fluid_schemes.cpp).
+/// Not where velocities must belong to the time of the positions, as for the energy of an undamped solid: Leapfrog. Not
+/// for vortices of low viscosity: their densities lag half a step behind the positions, and the pressure turns with
+/// them. With steps of the default length a Taylor-Green vortex at Re = 1000 gains 3 % of energy until t = 1 over one
+/// with steps of a quarter, with StaggeredLeapfrog nothing (tests/validation/test_fluid_schemes.cpp).
 ///
 /// Source: Hairer, Lubich and Wanner (2003), Eq. 1.9; one evaluation of all terms a step.
 struct SymplecticEuler {

@@ -1,4 +1,4 @@
-// A wall that a fluid with corrected kernel gradients sticks to.
+// A no-slip wall for a fluid with corrected kernel gradients.
 #pragma once
 
 #include <imbibe/fluid/corrected_gradients.hpp>

@@ -1,4 +1,4 @@
-// Walls and solids that a liquid with a viscosity of GeneralisedNewtonianViscosity sticks to.
+// No-slip walls and solids for a liquid with GeneralisedNewtonianViscosity.
 #pragma once
 
 #include <imbibe/fluid/generalised_newtonian.hpp>
@@ -6,8 +6,8 @@
 
 namespace imbibe {
 
-/// The wall's or solid's share of the rate of strain that decides the liquid's viscosity:
-/// E_a += sum_b V_b sym((u_b - v_a) (x) grad_a W_ab), 1/s, with the velocity u that NoSlipVelocity shows.
+/// The wall's or solid's share of the rate of strain that sets the liquid's viscosity: E_a += sum_b V_b sym((u_b - v_a)
+/// (x) grad_a W_ab), 1/s, with the velocity u of NoSlipVelocity.
 ///
 /// Goes into the liquid, together with NoSlipApparentViscosity. The wall or solid needs its own Volume.
 ///
@@ -31,7 +31,7 @@ struct NoSlipStrainRate {
 
 namespace detail {
 
-// The apparent viscosity of the pair's liquid, which the other side shows too.
+// The apparent viscosity of the pair's liquid, which also counts for the other side.
 template <class A, class B>
 IMBIBE_INLINE constexpr auto viscosity_at_wall(const A& a, const B& b) {
     if constexpr (is_fluid<typename A::Material>)

@@ -1,5 +1,5 @@
-// A wall that water sticks to: the velocity of the wall's particles continued from the fluid, and the viscous force and
-// the continuity equation that see it. Without it in the coupling the wall is free-slip.
+// A no-slip wall: the velocity of the wall's particles extrapolated from the fluid, and the viscous force and the
+// continuity equation that use it. Without it in the coupling the wall is free-slip.
 #pragma once
 
 #include <imbibe/fluid/morris_viscosity.hpp>
@@ -27,7 +27,7 @@ struct NoSlipOffset : Field<Rank::vector> {
 };
 inline constexpr NoSlipOffset no_slip_offset{};
 
-/// The velocity that a wall particle shows to the fluid's viscosity, m/s.
+/// The velocity that the fluid's viscosity uses for a wall particle, m/s.
 struct NoSlipVelocityField : Field<Rank::vector> {
     static constexpr std::string_view name = "no_slip_velocity", unit = "m/s";
 };
@@ -39,7 +39,7 @@ inline constexpr NoSlipVelocityField no_slip_velocity{};
 /// Goes into the wall or the solid, together with NoSlipViscosity:
 /// `Coupling<Water, Wall, Into<Wall, NoSlipVelocity<>>, NoSlipViscosity<>, ...>`.
 ///
-/// Not for the continuity equation or the pressure: those see where the wall really goes.
+/// Not for the continuity equation or the pressure: those use the wall's real velocity.
 ///
 /// Source: Adami, Hu and Adams (2012), Eqs. (22) and (23).
 template <class Kernel = WendlandC2>
@@ -66,15 +66,15 @@ struct NoSlipVelocity {
 };
 
 /// v_shown = v_a - (D/d - 1) sum_f (v_f - v_a) W_af / sum_f W_af, in m/s, for a particle a of a wall or a solid: the
-/// fluid's velocity continued in a straight line through the wall's own at the surface. D = |sum_f (x_f - x_a) W_af| /
-/// sum_f W_af is how far the fluid that is seen lies from a, d how far from the surface: SurfaceDistance. v_a itself where
-/// there is no fluid.
+/// fluid's velocity extrapolated linearly through the wall's own at the surface. D = |sum_f (x_f - x_a) W_af| / sum_f
+/// W_af is the distance from a to the fluid it sees, d that fluid's distance from the surface: SurfaceDistance. v_a
+/// itself where there is no fluid.
 ///
 /// In place of NoSlipVelocity, which has 1 for D/d - 1: right for the first layer, a third of it for the second. For
 /// pipes of fitted particles: Poiseuille flow in one of 12 across is 2.5 % too fast, with NoSlipVelocity 6 %
 /// (tests/porous/test_permeability.cpp).
 ///
-/// Not where the fluid is a thin film or spray: D is then how far single particles are.
+/// Not where the fluid is a thin film or spray: D is then the distance of single particles.
 ///
 /// Source: the straight line: Morris, Fox and Zhu (1997), section 3.5, Eq. (26), with distances to a known surface;
 /// here the distances are kernel averages.
@@ -104,7 +104,7 @@ struct LinearNoSlipVelocity {
     };
     using parts = Parts<Sum, Continue>;
 
-    /// Of the scene's lattice.
+    /// Computed from the scene's lattice.
     template <int dim>
     static Prepared prepare(const auto&, const auto&, const Lattice<dim>& lattice) {
         return SurfaceDistance::on<Kernel>(lattice);
@@ -113,7 +113,7 @@ struct LinearNoSlipVelocity {
 
 namespace detail {
 
-// The velocity that the viscosity between a fluid and something else sees: a fluid's own, the other's shown one.
+// The velocity for the viscosity between a fluid and something else: a fluid's own, otherwise v_shown.
 IMBIBE_INLINE constexpr auto velocity_at_wall(const auto& a) {
     using Material = typename std::remove_cvref_t<decltype(a)>::Material;
     if constexpr (Material::moves && requires(const Material& m) { m.viscosity; })
@@ -156,13 +156,13 @@ struct NoSlipViscosity {
 /// LinearNoSlipVelocity: drho_a/dt = rho_a sum_b (m_b/rho_b) (v_a - v_shown,b) . grad_a W_ab, in kg/m^3/s. For the
 /// fluid: `Into<Water, NoSlipContinuity<>>`.
 ///
-/// In place of VolumeContinuity where liquid flows slowly around obstacles. With the wall's own velocity the sum takes
-/// the flow along the wall for faster than it is, and where that flow changes it counts compression that is not there;
-/// the drag is then too weak, by 2.5 to 5 % for cylinders 6 to 15 particles thick in a cell of 25,
-/// and by 0.2 to 2 % with this (docs/validation.md, fitted-cylinders).
+/// Use it in place of VolumeContinuity where liquid flows slowly around obstacles. With the wall's own velocity the sum
+/// overrates the flow along the wall, and where that flow changes it counts compression that does not exist. The drag
+/// is then too weak: by 2.5 to 5 % for cylinders 6 to 15 particles thick in a cell of 25, and by 0.2 to 2 % with this
+/// (docs/validation.md, fitted-cylinders).
 ///
-/// Not where energy must balance to the last digit: the force of VolumePressure does its work along the wall's own
-/// velocity. Not for walls that slip: there is no v_shown.
+/// Not where energy must balance exactly: the force of VolumePressure does its work along the wall's own velocity. Not
+/// for free-slip walls, which have no v_shown.
 ///
 /// Source: the continuity equation with the velocity of Morris, Fox and Zhu (1997) in the walls.
 template <class Kernel = WendlandC2>

@@ -1,4 +1,4 @@
-// The pressure of a wall or a solid, continued from the fluid in front of it.
+// The pressure of a wall or a solid, extrapolated from the fluid in front of it.
 #pragma once
 
 #include <imbibe/core/term.hpp>
@@ -21,7 +21,7 @@ inline constexpr ExtrapolationSum extrapolation_sum{};
 /// Coefficients of PressureExtrapolation.
 struct PressureExtrapolationParameters {
     /// May the wall pull? If not, its pressure is clipped at zero, and the fluid can leave it. Only together with
-    /// DensityFloor: clipping alone lets the fluid swell without end.
+    /// DensityFloor: clipping alone lets the fluid swell without limit.
     bool suction = true;
 
     /// Are the two the same?
@@ -35,9 +35,9 @@ struct PressureExtrapolationParameters {
 /// Into<Water, VolumeContinuity<WendlandC2>>>`. Exact for still water, above, below and beside it. With several fluids
 /// one coupling each, with the same coefficients; their sums are added before the division.
 ///
-/// Not for a solid that has an equation of state: that sets `pressure` already. Not exact for a solid that accelerates
-/// as fast as the water falls: of the source's g - a_wall only g is taken, which is right for still walls and for
-/// solids that are slow against gravity and impact.
+/// Not for a solid with an equation of state: that sets `pressure` already. Not exact for a solid that accelerates as
+/// fast as the water falls: of the source's g - a_wall only g is used, which is right for still walls and for solids
+/// whose acceleration is small compared with gravity.
 ///
 /// Source: Adami, Hu and Adams (2012), Eq. (27).
 template <class Kernel = WendlandC2>

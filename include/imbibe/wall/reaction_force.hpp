@@ -9,7 +9,7 @@ namespace imbibe {
 struct give_it_a_force_of_the_coupling; // advice
 
 namespace rules {
-/// Rule: a reaction is that to a term whose pairs push.
+/// Rule: a reaction force names a term whose pairs push.
 template <class Term, class Advice>
 struct NoForceToReactTo {
     static_assert(sizeof(Term) == 0,
@@ -27,8 +27,8 @@ inline constexpr ReactionForceField reaction_force{};
 
 namespace detail {
 
-// Minus what the other side's particles get from a pair part that adds to their acceleration, times their mass; with
-// that part's coefficients.
+// Minus the force on the other side's particles by a pair part that adds to their acceleration, with that part's
+// coefficients.
 template <class Part>
 struct ReactionTo : Part {
     using reads = Unique<Concat<typename ReadsOf<Part>::type, Fields<mass>>>;
@@ -57,15 +57,15 @@ struct ReactionsTo<Term, TypeList<Part...>> {
             return break_rule<rules::NoForceToReactTo<Term, give_it_a_force_of_the_coupling>>();
         return true;
     }
-    static_assert(check() || true); // it says by itself what is wrong, once
+    static_assert(check() || true); // reports what is wrong by itself, once
     using type = Concat<std::conditional_t<pushes<Part>, TypeList<ReactionTo<Part>>, TypeList<>>...>;
 };
 
 } // namespace detail
 
-/// F_a = - sum_b m_b (dv_b/dt)_a, in N: the force on a particle a of a wall or a solid by the particles b of the fluid,
-/// minus what these get from it by the terms given, for each pair to the last bit. They are terms of the coupling, with
-/// the same kernel.
+/// F_a = - sum_b m_b (dv_b/dt)_a, in N: the force of the fluid particles b on a particle a of a wall or a solid. It is
+/// minus the force on b by the given terms, pair by pair, to the last bit. The terms must be terms of the coupling,
+/// with the same kernel.
 ///
 /// Goes into the wall or the solid, beside the terms it is the reaction to:
 ///
@@ -76,11 +76,10 @@ struct ReactionsTo<Term, TypeList<Part...>> {
 /// Near an edge where two walls meet, the water's particles push at both: the force on a part of a wall is right to
 /// about what lies within a support of its rim.
 ///
-/// A wall of which only the pressure is wanted has that of PressureExtrapolation, which is the water's continued. Where
-/// water strikes that is not the force: a tongue of it that is thinner than the support pushes on part of the wall
-/// only, but shows its pressure all around.
+/// Not the pressure of PressureExtrapolation, which continues that of the water: in an impact a tongue of water thinner
+/// than the support pushes on part of the wall only, but shows its pressure all around.
 ///
-/// Not into a fluid. A sweep more, so not where nobody looks.
+/// Not into a fluid. It costs one more sweep: leave it out where the force is not needed.
 ///
 /// Source: Newton's third law.
 template <class... Term>

@@ -1,4 +1,4 @@
-// One-sided Riemann problems between a fluid and a wall or a solid: each fluid particle sees its own state mirrored.
+// One-sided Riemann problems between a fluid and a wall or a solid: each fluid particle meets its own mirrored state.
 #pragma once
 
 #include <imbibe/core/error.hpp>
@@ -7,7 +7,7 @@
 
 namespace imbibe {
 
-/// sum_w V_w grad_f W_fw, 1/m: from a fluid particle into the walls around it, zero where there is none.
+/// sum_w V_w grad_f W_fw, 1/m: from a fluid particle into the walls around it, zero away from walls.
 struct WallDirection : Field<Rank::vector> {
     static constexpr std::string_view name = "wall_direction", unit = "1/m";
 };
@@ -17,9 +17,9 @@ inline constexpr WallDirection wall_direction{};
 /// direction in which the wall is.
 ///
 /// Goes into the fluid, together with RiemannWallPressure: `Coupling<Water, Wall, Into<Water, RiemannWallNormal<>>,
-/// ...>`. The normal is that of the wall as the fluid particle sees it, not one of the wall particle: it needs nothing
-/// of the wall but positions and volumes, so it is right in corners (the direction between the two), on solids that
-/// turn and bend, and whatever is behind the surface. It costs no sweep of its own beside a continuity equation.
+/// ...>`. The normal is that of the wall as seen from the fluid particle, not one of a wall particle. It needs only
+/// positions and volumes of the wall, so it is right in corners (the direction between the two faces), on solids that
+/// turn and bend, and for any interior of the wall. It costs no sweep of its own beside a continuity equation.
 ///
 /// Not between two walls of equal distance (a slit one particle wide), where the two cancel.
 ///
@@ -60,14 +60,13 @@ struct RiemannWallPressureParameters {
 /// not lines of centres, which would act as friction. The force of the pair is along the line of centres, equal and
 /// opposite, to the last bit where the masses are equal.
 ///
-/// Beside it goes RiemannWallContinuity, which does as much work:
-/// `Coupling<Water, Wall, Into<Water, RiemannWallNormal<>>, RiemannWallPressure<>, Into<Water,
-/// RiemannWallContinuity<>>>`. With any fluid that has a pressure, RiemannPressure or not. Nothing is averaged over the
-/// fluid: on either side of a thin plate it pushes with its own pressure.
+/// Use it with RiemannWallContinuity, which does as much work: `Coupling<Water, Wall, Into<Water, RiemannWallNormal<>>,
+/// RiemannWallPressure<>, Into<Water, RiemannWallContinuity<>>>`. Works for any fluid with a pressure, with or without
+/// RiemannPressure. Nothing is averaged over the fluid: each side of a thin plate feels its own fluid's pressure.
 ///
 /// Not with walls of one layer: with 3 spacings of support a dam break is the same with 2 layers as with 3, and runs
 /// through the floor with 1. Not for a solid that accelerates as fast as the water falls: of the source's g - dv_w/dt
-/// only g is taken. Free-slip: for a wall to which water sticks add NoSlipVelocity and NoSlipViscosity.
+/// only g is used. Free-slip: for a no-slip wall add NoSlipVelocity and NoSlipViscosity.
 ///
 /// Source: Zhang, Hu and Adams (2017), the section on the wall boundary condition; the normal is taken in the fluid.
 template <class Kernel = WendlandC2>

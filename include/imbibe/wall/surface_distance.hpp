@@ -1,4 +1,4 @@
-// How far before a wall's surface the fluid lies that a particle of the wall sees.
+// The distance from a wall's surface to the fluid that a wall particle sees.
 #pragma once
 
 #include <imbibe/core/lattice.hpp>
@@ -6,11 +6,11 @@
 
 namespace imbibe {
 
-/// d = d_1 + s (D - D_1), m: how far before the surface of a wall the fluid lies that a particle of it sees, where D =
-/// |sum_f (x_f - x_a) W_af| / sum_f W_af is how far that fluid lies from the particle. Numbers of the lattice of a
-/// scene: exact for the first two layers behind a plane face along it (0.50 to 0.58 spacings with supports of 2 to 3),
-/// linear in D. What is u there and u_w at the surface is u_w - (D/d - 1) (u - u_w) at the particle, in a straight
-/// line.
+/// d = d_1 + s (D - D_1), m: the distance from the surface of a wall to the fluid that a wall particle sees, where D =
+/// |sum_f (x_f - x_a) W_af| / sum_f W_af is the distance from the particle to that fluid. The numbers come from the
+/// lattice of a scene: exact for the first two layers behind a plane face along it (0.50 to 0.58 spacings with supports
+/// of 2 to 3), linear in D. A value that is u in the fluid and u_w at the surface is extrapolated linearly to u_w -
+/// (D/d - 1) (u - u_w) at the particle.
 ///
 /// Source: own; distances to a known surface, Morris, Fox and Zhu (1997), section 3.5.
 struct SurfaceDistance {
@@ -25,7 +25,7 @@ struct SurfaceDistance {
     /// Of a plane face along the lattice, half a spacing before the first layer of the wall.
     template <class Kernel, int dim>
     static SurfaceDistance on(const Lattice<dim>& lattice) {
-        const auto mean_offset = [&](double layer) { // of the fluid, from a layer of the wall; 0: it sees none
+        const auto mean_offset = [&](double layer) { // of the fluid, from a layer of the wall; 0: no fluid in reach
             const auto sum = [&](int power_of_offset) {
                 return lattice.sum([&](const auto& ab) {
                     const double x = ab.offset[0];
