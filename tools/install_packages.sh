@@ -9,10 +9,13 @@
 #   sh tools/install_packages.sh docs          for the documentation site as well
 #   sh tools/install_packages.sh browser       for a look at that site, and at its links, as well
 #   sh tools/install_packages.sh studies       for tools/sponge_bars.py as well
+#   sh tools/install_packages.sh pictures      for tools/render_space.py and its movies as well
+#   sh tools/install_packages.sh view          for tools/view.py as well: three.js, into build-view/three
 #   sh tools/install_packages.sh bare          for .ci/bare, which tries the README's commands on a bare Debian
 set -eu
 
 packages="g++ cmake ninja-build libeigen3-dev libcli11-dev catch2 python3-numpy python3-matplotlib"
+view=
 for group in "$@"; do
     case $group in
         tests) packages="$packages python3-vtk9 pkg-config zlib1g-dev libtiff-dev" ;;
@@ -21,10 +24,39 @@ for group in "$@"; do
         docs) packages="$packages doxygen" ;;
         browser) packages="$packages linkchecker chromium chromium-driver python3-selenium" ;;
         studies) packages="$packages python3-scipy" ;;
+        pictures) packages="$packages python3-vtk9 xvfb xauth ffmpeg" ;;
+        view)
+            view=asked
+            command -v npm > /dev/null || packages="$packages nodejs npm"
+            ;;
         bare) packages="$packages debootstrap" ;;
-        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks, docs, browser, studies, bare" >&2; exit 2 ;;
+        *) echo "$0: there is no group '$group'; the groups are: tests, clang, benchmarks, docs, browser, studies, pictures, view, bare" >&2; exit 2 ;;
     esac
 done
+
+# Three.js as it was published, which the checksum tells: four files and its licence.
+three=0.184.0
+three_sum=5c8c75278504ff31cedcd736e043b06c18f2cbf220ad7f85fbfaa1a08d3b3626
+three_folder=$(dirname "$0")/../build-view/three
+fetch_three() {
+    if grep -qs "\"version\": \"$three\"" "$three_folder/package.json"; then
+        return
+    fi
+    echo "Fetching three.js $three"
+    rm -rf "$three_folder"
+    mkdir -p "$three_folder"
+    (
+        cd "$three_folder" && npm pack --silent "three@$three" > /dev/null &&
+            echo "$three_sum  three-$three.tgz" | sha256sum --check --quiet &&
+            tar xzf "three-$three.tgz" --strip-components=1 package/LICENSE package/build/three.core.min.js \
+                package/build/three.module.min.js package/examples/jsm/controls/OrbitControls.js package/package.json &&
+            rm "three-$three.tgz"
+    ) || { rm -rf "$three_folder"; echo "$0: cannot fetch three.js $three" >&2; exit 1; }
+}
+if [ -n "$view" ] && command -v npm > /dev/null; then
+    fetch_three
+    view=
+fi
 
 if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
     echo "$0: this system has no apt-get. Install what these Debian packages hold, then run the rest of the command:" >&2
@@ -62,3 +94,4 @@ echo "Installing$missing"
 # The package lists may be absent, or so old that they name files the server no longer has.
 apt-get install --simulate --no-install-recommends $missing > /dev/null 2>&1 || update
 install || { update && install; }
+[ -z "$view" ] || fetch_three

@@ -20,6 +20,10 @@ add_test(NAME output_pictures
     COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/draw_pictures.py ${output_folder})
 set_tests_properties(output_read_vtk output_pictures PROPERTIES
     LABELS unit TIMEOUT 600 FIXTURES_REQUIRED output_files)
+# Skipped where there is no three.js (tools/install_packages.sh view) or no Chromium (browser).
+add_test(NAME output_view_page
+    COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/view_page.py ${output_folder}_view)
+set_tests_properties(output_view_page PROPERTIES LABELS unit TIMEOUT 900 SKIP_RETURN_CODE 77)
 
 # The example itself, some steps of it; the small ones, each once; four kills and, which takes minutes, a hundred. Label
 # `examples`: not in the default command, because the sponge takes a compiler long.

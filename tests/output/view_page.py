@@ -32,9 +32,9 @@ def write_vtp(path, points, arrays, units, spacing):
     for name, values in [("position", points), *arrays.items()]:
         values = np.ascontiguousarray(values, "<i4" if name == "id" else "<f4")
         components = 1 if values.ndim == 1 else values.shape[1]
-        described.append(f'<DataArray type="{KINDS[values.dtype.kind]}" Name="{name}" NumberOfComponents="{components}" '
-                         f'format="appended" offset="{offset}"><InformationKey name="UNITS_LABEL" location='
-                         f'"vtkDataArray">{units.get(name, "m")}</InformationKey></DataArray>')
+        described.append(f'<DataArray type="{KINDS[values.dtype.kind]}" Name="{name}" '
+                         f'NumberOfComponents="{components}" format="appended" offset="{offset}">'
+                         f'<InformationKey name="UNITS_LABEL" location="vtkDataArray">{units.get(name, "m")}</InformationKey></DataArray>')
         blocks.append(np.uint64(values.nbytes).tobytes() + values.tobytes())
         offset += len(blocks[-1])
     constant = spacing and ('<DataArray type="Float64" Name="spacing" NumberOfTuples="1" format="ascii">'
@@ -48,8 +48,8 @@ def write_vtp(path, points, arrays, units, spacing):
 
 
 def make_run(folder, frames, flat, n=10):
-    """A block of water that sinks into a box, shrinks by a layer at each of the times, and comes in another order. Returns
-    how many there are of it at each of the times, and how many of the box."""
+    """A block of water that sinks, shrinks by a layer at each of the times, and comes in another order, over a floor.
+    Returns how many there are of it at each of the times, and how many of the floor."""
     os.makedirs(folder)
     s, rng = 1e-3, np.random.default_rng(1)
     depth = s if flat else n * s
@@ -97,7 +97,7 @@ def chromium(program, folder, page, *options):
     done = subprocess.run(
         [program, "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
          "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars",
-         f"--user-data-dir={os.path.join(folder, 'profile')}", "--window-size=700,500", "--virtual-time-budget=5000",
+         f"--user-data-dir={os.path.join(folder, 'profile')}", "--window-size=600,400", "--virtual-time-budget=3000",
          *options, "file://" + page], capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -139,9 +139,8 @@ def look_at_pages(program, folder, run, counts, walls, plane, plane_counts, plan
     body, text = seen(program, folder, page)
     assert body["drawn"] == body["counted"] == str(counts[0] + walls), body
     assert "t = 0 ms" in text and ">Space<" in text
-    for k in (1, len(counts) - 1):
-        body, text = seen(program, folder, page, f"#frame={k}")
-        assert body["drawn"] == str(counts[k] + walls) and body["frame"] == str(k), (body, counts)
+    body, text = seen(program, folder, page, f"#frame={len(counts) - 1}")
+    assert body["drawn"] == str(counts[-1] + walls) and body["frame"] == str(len(counts) - 1), (body, counts)
     assert "t = 37.0 ms" in text, re.search(r't = [^<]*', text)[0]
     body, _ = seen(program, folder, page, "#cut=z,0.5&look.tank=hidden&field.water=pressure")
     assert 0 < int(body["counted"]) < counts[0] == int(body["drawn"]), body
@@ -151,14 +150,16 @@ def look_at_pages(program, folder, run, counts, walls, plane, plane_counts, plan
         text = file.read()
     with_keys = os.path.join(folder, "keys.html")
     with open(with_keys, "w", encoding="utf-8") as file:
-        file.write(text.replace("</body>", "<script type='module'>for (const key of ['ArrowRight', 'ArrowRight', 'ArrowLeft'])"
-                                "document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));</script></body>"))
+        file.write(text.replace("</body>", """<script type="module">
+            for (const key of ["ArrowRight", "ArrowRight", "ArrowLeft"])
+                document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+            </script></body>"""))
     body, _ = seen(program, folder, with_keys)
-    assert body["frame"] == "1", body
+    assert body["frame"] == "1" and body["drawn"] == str(counts[1] + walls), (body, counts)
 
     picture = os.path.join(folder, "space.png")
     chromium(program, folder, page, "--screenshot=" + picture)
-    colour = imread(picture)[:, :400, :3]
+    colour = imread(picture)[:, :300, :3]
     blue = (colour[..., 2] > colour[..., 0] + 0.1).mean()
     assert blue > 0.02, f"a share of {blue} of the picture is blue"
 
