@@ -135,7 +135,7 @@ struct WarmFloorFrozen : ExtrapolationOf<Warm, Floor, Into<Warm, FrozenDrag<K>>>
 struct WarmFloorHeated : ExtrapolationOf<Warm, Heater, Into<Warm, HeatFromWalls<K>>> {};
 struct WarmFloorHot : ExtrapolationOf<Warm, HotFloor, Into<HotFloor, TemperatureExtrapolation<K>>, HeatTransfer<K>> {};
 struct Soaked : CouplingOf<Seeping, Skeleton> {};
-struct WarmSoaked : CouplingOf<WarmSeeping, WarmSkeleton, PoreHeatExchange<K>> {};
+struct SoakedWarm : CouplingOf<WarmSeeping, WarmSkeleton, PoreHeatExchange<K>> {};
 struct SlabExtrapolation : Extrapolation<Slab> {};
 struct SlabRiemann : Riemann<Slab> {};
 struct SlabNormals : Contact<SlabNormal, SurfaceNormalPressure<K>, Into<Water, VolumeContinuity<K>>> {};
@@ -384,7 +384,7 @@ Cases all_cases() {
         "`InPores`, `PoreDensityDiffusion`, `PoreDensityFloor`, `PorousSkeleton`, `PoreSpace`, `PoreContents`, "
         "`PorePressure` and `DarcyDrag`",
         "pores too small to resolve: a skeleton in all of the cube, both phases together");
-    add<WarmSoaked, Overlap<WarmSeeping, WarmSkeleton, WarmSoaked>>(
+    add<SoakedWarm, Overlap<WarmSeeping, WarmSkeleton, SoakedWarm>>(
         cases, "the same with `HeatCapacity`, `HeatConduction`, `PoreHeatConduction` and `PoreHeatExchange`",
         "heat in such pores");
     add_contact<SlabExtrapolation>(

@@ -20,6 +20,10 @@ add_test(NAME output_pictures
     COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/draw_pictures.py ${output_folder})
 set_tests_properties(output_read_vtk output_pictures PROPERTIES
     LABELS unit TIMEOUT 600 FIXTURES_REQUIRED output_files)
+add_test(NAME output_pictures_of_space
+    COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/draw_space.py ${output_folder})
+set_tests_properties(output_pictures_of_space PROPERTIES
+    LABELS unit TIMEOUT 600 FIXTURES_REQUIRED output_files SKIP_RETURN_CODE 77)
 # Skipped where there is no three.js (tools/install_packages.sh view) or no Chromium (browser).
 add_test(NAME output_view_page
     COMMAND ${python_with_vtk} ${CMAKE_CURRENT_SOURCE_DIR}/output/view_page.py ${output_folder}_view)
