@@ -1,7 +1,7 @@
 // A column of water collapses in a tank. A scene of our own; dam_break_2d.cpp is that of an experiment.
 //
 //   build/dam_break                     then open out-dam-break/water.pvd in ParaView
-//   python3 tools/render_plane.py out-dam-break --slice 140 160 --times 200 400 600 800 -o dam_break.png
+//   python3 tools/render_space.py out-dam-break --times 200 400 700 940 -o dam_break.png
 #include <imbibe/imbibe.hpp>
 namespace sph = imbibe;
 using K = sph::WendlandC2;
