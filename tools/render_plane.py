@@ -6,7 +6,6 @@ times, one panel each.
     python3 tools/render_plane.py out-elastic-gate --times 40 120 400 --fluid water --speed 2 -o gate.png
     python3 tools/render_plane.py out-dam-break --slice 140 160 -o dam_break.png
     python3 tools/render_plane.py out-soaked-sponge --walls tray plate --field sponge saturation -o soaked_sponge.png
-
     python3 tools/render_plane.py out-first-hour --field water pressure -o first_hour.png
 
 Each phase is drawn as a smooth area, the kernel average of its particles' colours: the fluid by its speed, what of it is
@@ -141,8 +140,9 @@ def main():
     fastest = arguments.speed or max((np.percentile(speed, 99.5) for speed in speeds if len(speed)), default=0) or 1.0
     shades, shades_in_words = shaded(arguments, moments) if by_field else ([[] for _ in moments], "")
     found = [of for of in shades if len(of)]
-    shade = Normalize(min((of.min() for of in found if arguments.field), default=0),
-                      max((of.max() for of in found), default=0) or 1.0)
+    # Single particles do not set the scale.
+    least, most = np.percentile(np.concatenate(found), [1, 99]) if found else (0, 1)
+    shade = Normalize(least if arguments.field else 0, most or 1.0)
     everything = np.vstack([snapshot.points[:, :2] for moment in moments for snapshot in moment.values()]) * 1e3
     if len(everything) == 0:
         end_with("there is no particle" + (f" from y = {arguments.slice[0]:g} to {arguments.slice[1]:g} mm"

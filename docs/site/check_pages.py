@@ -11,6 +11,7 @@ too, against what they speak of:
 - every term has its place in docs/policies.md, and its cost in docs/effects.md; its comment and that of every kernel and
   integrator names the source, and what it is not for;
 - every link to a file, a page or a heading has where to go;
+- every page, and every folder of headers, has its place in docs/site/tree.dox;
 - every example is short.
 
     python3 docs/site/check_pages.py             says what is wrong, one line each
@@ -23,7 +24,7 @@ import re
 import sys
 
 from costs import HEADERS, ROOT, lines_of
-from filter import slug
+from filter import page_name, slug
 
 STUDIES = {"sponge_study.cpp"}  # programs among the examples that are not for copying
 COMPILED = ("examples/", "tests/", "cases/", "studies/", "benchmarks/", "include/")
@@ -183,13 +184,22 @@ def faults_of_links(text, page):
             yield f"links to {target}#{anchor}, a heading that is not there"
 
 
+def faults_of_the_tree(pages):
+    """Pages and folders of headers that docs/site/tree.dox leaves out."""
+    tree = text_of("docs/site/tree.dox")
+    for page in pages:
+        if page != "README.md" and not re.search(rf"@subpage {page_name(page)}$", tree, re.MULTILINE):
+            yield f"docs/site/tree.dox does not have the page {page}"
+    for folder in sorted(glob.glob(os.path.join(HEADERS, "*", ""))):
+        if f"@defgroup folder_{os.path.basename(folder[:-1])} " not in tree:
+            yield f"docs/site/tree.dox has no group for {os.path.relpath(folder, ROOT)}"
+
+
 def main():
     pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md",
              *sorted(os.path.relpath(it, ROOT) for it in glob.glob(os.path.join(ROOT, "docs", "*.md")))]
-    known, faults, blocks = set(programs()), [], 0
-    faults += [f"{page} is not among the pages of docs/site/Doxyfile.in" for page in pages
-               if not re.search(rf"^INPUT .*^ +{page} ", text_of("docs/site/Doxyfile.in"), re.MULTILINE | re.DOTALL)
-               and page != "README.md"]
+    known, blocks = set(programs()), 0
+    faults = list(faults_of_the_tree(pages))
     for page in pages:
         text = text_of(page)
         if sys.argv[1:] == ["--write"]:

@@ -2,11 +2,11 @@
 """What Doxygen reads in place of a header or a page of docs/ (FILTER_PATTERNS in Doxyfile.in); prints it.
 
 In headers: the names that every term, field and kernel has by contract (`reads`, `adds`, `operator()`, ...) get the one
-sentence that says what they mean, so that it is not written beside each; and below each effect and each kernel stands
-what it costs (costs.py).
+sentence that says what they mean, so that it is not written beside each; below each effect and each kernel stands what
+it costs (costs.py); and all names are put into the group of the header's folder (tree.dox).
 
 In pages: `Name` becomes a link to what the headers say about it; links to other pages and to headings, written so that
-they work wherever Markdown is shown, become Doxygen's.
+they work wherever Markdown is shown, become Doxygen's. All but README.md get a table of contents.
 
     python3 docs/site/filter.py include/imbibe/fluid/continuity.hpp
 """
@@ -141,6 +141,17 @@ def header(lines):
             comment = []
 
 
+def grouped(lines, path):
+    """With all that the header declares in the group of its folder."""
+    folder = os.path.basename(os.path.dirname(path))
+    for line in lines:
+        if re.match(r"namespace (?!.*detail).*\{$", line):
+            line += f" /** @addtogroup folder_{folder} */ /** @{{ */"
+        elif re.match(r"\} // namespace (?!.*detail)", line):
+            line = "/** @} */ " + line
+        yield line
+
+
 def readable(line, first):
     """A line of a comment so that Doxygen neither takes the dot of a product for the end of a sentence nor makes the
     first letter of an equation a capital."""
@@ -187,7 +198,7 @@ def page(text, path):
             parts[k] = re.sub(r"^(#+) (.*)$", heading, parts[k], flags=re.MULTILINE)
         parts[k] = re.sub(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)", link, parts[k])
         parts[k] = re.sub(r"(?<!\[)`(\w+)(?:<[^`\n]*>)?`(?!\])", type_link, parts[k])
-    return "".join(parts)
+    return "".join(parts) + ("" if own == "index" else "\n\n\\tableofcontents{html:2}")
 
 
 def page_name(path):
@@ -198,7 +209,7 @@ def page_name(path):
 def main():
     path = sys.argv[1]
     lines = lines_of(path)
-    print("\n".join(header(lines)) if path.endswith(".hpp") else page("\n".join(lines), path))
+    print("\n".join(grouped(header(lines), path)) if path.endswith(".hpp") else page("\n".join(lines), path))
 
 
 if __name__ == "__main__":

@@ -22,14 +22,14 @@ from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 
-WIDTHS = (1280, 400)
+WIDTHS = (1280, 390)
 GREATEST_HEIGHT = 12000
 
 # What of a page a reader would trip over, one line each. What scrolls by itself, such as a wide table, may be wide.
 FAULTS = r"""
 const faults = [];
 for (const image of document.images)
-    if (image.naturalWidth === 0) faults.push('the picture ' + image.getAttribute('src') + ' does not show');
+    if (image.complete && image.naturalWidth === 0) faults.push('the picture ' + image.getAttribute('src') + ' does not show');
 for (const image of document.querySelectorAll('object, iframe'))
     if (image.offsetWidth === 0 && image.offsetParent) faults.push('nothing shows of ' + (image.data || image.src));
 const contents = document.querySelector('div.contents');
@@ -39,6 +39,8 @@ const text = document.querySelector('#doc-content') || document.documentElement;
 const edges = text.getBoundingClientRect();
 if (edges.width < Math.min(0.6 * innerWidth, 600))
     faults.push('there is room of ' + Math.round(edges.width) + ' for the text');
+if (document.documentElement.scrollWidth > innerWidth || text.scrollWidth > text.clientWidth)
+    faults.push('all of it scrolls sideways');
 const scrolls = element => {
     for (; element !== text && element !== document.body; element = element.parentElement)
         if (['auto', 'scroll', 'hidden'].includes(getComputedStyle(element).overflowX)) return true;
@@ -83,8 +85,8 @@ def chosen(html):
     made = [page for page in made if not page.endswith(("-members.html", "_source.html")) and not page.startswith(lists)]
     of_headers = [page for page in made if page.startswith(("struct", "class", "namespace", "concept"))]
     names = {name for row in rows("policies.md", "| | Policies |") for name in re.findall(r"`([A-Z]\w+)(?!\w|::)", row[1])}
-    named = {page for name in names for page in (f"structimbibe_1_1{name}.html", f"classimbibe_1_1{name}.html")
-             if page in made}
+    named = {page for name in names for kind in ("struct", "class") for space in ("", "presets_1_1")
+             if (page := f"{kind}imbibe_1_1{space}{name}.html") in made}
     if len(named) < len(names):
         sys.exit(f"look_at_pages.py: of {len(names)} names in docs/policies.md only {len(named)} have a page")
     return [page for page in made if page not in of_headers or page in named] + \

@@ -3,7 +3,7 @@
 // and half under water (Archimedes).
 //
 //   build/guide_floating_box
-//   python3 tools/render_plane.py out-floating-box --times 0 200 500 3000 --dpi 75 -o floating_box.png
+//   python3 tools/render_plane.py out-floating-box --walls basin --times 0 200 500 3000 --dpi 75 -o floating_box.png
 #include <imbibe/imbibe.hpp>
 
 #include <Eigen/Geometry>
