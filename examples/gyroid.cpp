@@ -7,7 +7,7 @@
 //   build/gyroid                        then open out-gyroid/water.pvd and sponge.pvd in ParaView
 //   build/gyroid 0.25                   with 0.25 of it solid
 //   build/gyroid 0.35 1e5               with a Young's modulus of 1e5 instead of 2e4 Pa
-//   python3 tools/render_sponge.py out-gyroid --view space --times 0 40 70 150 -o gyroid.png
+//   python3 tools/render_space.py out-gyroid --times 0 40 70 150 --columns 4 -o gyroid.png
 #include "support/arguments.hpp"
 #include "support/quiet_waiting.hpp"
 
