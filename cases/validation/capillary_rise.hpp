@@ -35,8 +35,11 @@ constexpr double wide = 2, level = 1.5, height = 4, lowest = 0.6, lighter = 0.5,
 inline double rise(double across, double degrees, double begun) {
     constexpr double end = 10;
     const double spacing = 1 / across, thick = 4 * spacing, width = 1 + wide + 2 * thick;
-    Preset::Scene<2, double> scene(
-        {.gravity = {0, -gravity}, .support_radius = 3 * spacing, .periodic_length = {width, 0}, .threads = 1});
+    Preset::Scene<2, double> scene({.gravity = {0, -gravity},
+                                    .support_radius = 3 * spacing,
+                                    .cfl = 0.4,
+                                    .periodic_length = {width, 0},
+                                    .threads = 1});
     const Preset::Interface interface { .surface_tension = 1, .contact_angle = degrees * std::numbers::pi / 180 };
     Preset::Water water{{.density = 1, .sound_speed = 14, .viscosity = 0.03}};
     Preset::Oil oil{{.density = lighter, .sound_speed = 14 / std::sqrt(lighter), .viscosity = 0.03}};

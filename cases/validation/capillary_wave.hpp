@@ -85,7 +85,8 @@ inline Wave exact() {
 /// The wave in particles, so many in its length.
 inline Wave wave(double across) {
     const double spacing = 1 / across;
-    Preset::Scene<2, double> scene({.support_radius = 3 * spacing, .periodic_length = {1, 0}, .threads = 1});
+    Preset::Scene<2, double> scene(
+        {.support_radius = 3 * spacing, .cfl = 0.4, .periodic_length = {1, 0}, .threads = 1});
     const Preset::Interface interface { .surface_tension = 1 };
     Preset::Water water{{.density = 1, .sound_speed = sound, .viscosity = viscosity}};
     Preset::Oil oil{{.density = 1, .sound_speed = sound, .viscosity = viscosity}};

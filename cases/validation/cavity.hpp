@@ -63,7 +63,7 @@ template <class Liquid>
 Lines drive(int across, double end, double Re = 100, Liquid material = {}) {
     const double spacing = 1.0 / across, H = 3 * spacing;
     sph::Solver<2, double, sph::SymplecticEuler, Liquid, Walls, OnWalls<Liquid>> scene(
-        {.support_radius = H, .threads = 1});
+        {.support_radius = H, .cfl = 0.4, .threads = 1});
     const sph::Box<2> inside{{0, 0}, {1, 1}};
     material.density = 1;
     material.sound_speed = 10;

@@ -61,8 +61,12 @@ Shown run(int across, double viscosity) {
     using Contact = Push<Liquid, More...>;
     using Scene = sph::Solver<2, float, sph::SymplecticEuler, Liquid, Tank, Contact>;
     const double dx = depth / across, length = std::round(5.366 * across) * dx, unit = std::sqrt(depth / gravity);
-    Scene scene(
-        {.gravity = {0, -gravity}, .support_radius = 3 * dx, .search_interval = 100, .search_skin = 0.1, .threads = 1});
+    Scene scene({.gravity = {0, -gravity},
+                 .support_radius = 3 * dx,
+                 .cfl = 0.4,
+                 .search_interval = 100,
+                 .search_skin = 0.1,
+                 .threads = 1});
     scene.template coupling<Contact>().set(sph::PressureExtrapolationParameters{.suction = false});
     Liquid water{{.density = 1000, .sound_speed = 10 * std::sqrt(2 * gravity * depth)}};
     if constexpr (requires { water.viscosity; })

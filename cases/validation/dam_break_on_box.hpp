@@ -37,6 +37,7 @@ inline Blow strike(int across) {
     const double box_height = 0.161, dx = box_height / across, depth = 0.55, front = 1.228 + 1.1675;
     Basin scene({.gravity = {0, 0, -gravity},
                  .support_radius = 2.6 * dx,
+                 .cfl = 0.4,
                  .search_interval = 100,
                  .search_skin = 0.1,
                  .threads = 1});

@@ -30,7 +30,7 @@ struct Shape {
 /// The drop at each of the times. @param across particles over the radius
 inline std::vector<Shape> stretch(int across, const std::vector<double>& times) {
     const double spacing = 1.0 / across;
-    Scene scene({.support_radius = 3 * spacing, .threads = 1});
+    Scene scene({.support_radius = 3 * spacing, .cfl = 0.4, .threads = 1});
     const Drop drop{{.density = 1000, .sound_speed = 1400}};
     auto points = sph::fill(sph::Box<2>{{-1, -1}, {1, 1}}, spacing);
     std::erase_if(points, [](const auto& x) { return x.norm() > 1; });

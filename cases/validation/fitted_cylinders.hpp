@@ -33,7 +33,7 @@ double drag(int across, double fraction) {
     const sph::Sphere<2> disc{{0.5, 0.5}, std::sqrt(fraction / std::numbers::pi)};
     const auto parts = sph::fitted_together(spacing, cell.lower(), 0, disc, cell - disc);
     sph::Solver<2, double, sph::SymplecticEuler, Liquid, Grains, Contact> scene(
-        {.gravity = {force, 0}, .support_radius = 3 * spacing, .periodic_length = {1, 1}, .threads = 1});
+        {.gravity = {force, 0}, .support_radius = 3 * spacing, .cfl = 0.4, .periodic_length = {1, 1}, .threads = 1});
     const auto liquid = scene.add(Liquid{{.density = 1, .sound_speed = 100, .viscosity = 1}}, parts[1], spacing);
     scene.add(Grains{{.density = 1}}, parts[0], spacing);
     for (double U = 0, before = -1;; before = U) {

@@ -27,7 +27,8 @@ constexpr double gravity = 9.81; // m/s^2
 
 /// A scene without particles.
 inline Scene scene_of(double spacing) {
-    Scene scene({.gravity = {0, -gravity}, .support_radius = 2.6 * spacing, .search_interval = 4, .threads = 1});
+    Scene scene(
+        {.gravity = {0, -gravity}, .support_radius = 2.6 * spacing, .cfl = 0.4, .search_interval = 4, .threads = 1});
     const sph::PressureExtrapolationParameters no_suction{.suction = false};
     scene.coupling<Push<Rubber>>().set(no_suction);
     scene.coupling<Push<Tank>>().set(no_suction);

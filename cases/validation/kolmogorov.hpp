@@ -68,7 +68,7 @@ template <class Liquid, int dim = 2>
 Seen flow(const Run& run) {
     using Point = sph::Point<dim>;
     const double spacing = 1 / run.across, density = 1 + run.pressure / sph::sq(sound);
-    sph::Settings<dim> settings{.support_radius = 3 * spacing, .threads = 1};
+    sph::Settings<dim> settings{.support_radius = 3 * spacing, .cfl = 0.4, .threads = 1};
     Point size = Point::Constant(1);
     if constexpr (dim == 3)
         size[2] = 8 * spacing;

@@ -79,7 +79,11 @@ template <class Law>
 Profile flow(const typename Law::Parameters& parameters, int across) {
     const double spacing = 2 * half_gap / across, length = 8 * spacing;
     sph::Solver<2, double, sph::SymplecticEuler, Paste<Law>, Plates, OnPlates<Law>> scene(
-        {.gravity = {force, 0}, .support_radius = 3 * spacing, .periodic_length = {length, 0}, .threads = 1});
+        {.gravity = {force, 0},
+         .support_radius = 3 * spacing,
+         .cfl = 0.4,
+         .periodic_length = {length, 0},
+         .threads = 1});
     const sph::Box<2> between{{0, 0}, {length, 2 * half_gap}};
     Paste<Law> paste{{.density = 1, .sound_speed = 3}};
     paste.set(parameters);

@@ -24,7 +24,7 @@ using Tub = sph::Solver<2, double, sph::SymplecticEuler, Column, Tank, Push<Tank
 /// The discharge coefficient. @param across particles over the slot's width
 inline double discharge(int across) {
     const double slot = 0.1, width = 1, depth = 1, dx = slot / across;
-    Tub scene({.gravity = {0, -gravity}, .support_radius = 2.6 * dx, .search_interval = 4, .threads = 1});
+    Tub scene({.gravity = {0, -gravity}, .support_radius = 2.6 * dx, .cfl = 0.4, .search_interval = 4, .threads = 1});
     scene.coupling<Push<Tank>>().set(sph::PressureExtrapolationParameters{.suction = false});
     const auto pool = scene.add(column(depth), sph::fill(sph::Box<2>{{0, 0}, {width, depth}}, dx), dx);
     auto walls = sph::tank(sph::Box<2>{{0, 0}, {width, depth}}, dx, 3, sph::Sides::y_high);

@@ -60,6 +60,7 @@ std::array<double, 5> middle_velocities(const Drive& drive, int across, double s
     sph::Solver<2, double, sph::SymplecticEuler, Liquid, Plates, OnPlates<K, Liquid>> scene(
         {.gravity = {drive.force, 0},
          .support_radius = support * spacing,
+         .cfl = 0.4,
          .periodic_length = {length, 0},
          .threads = 1});
     const sph::Box<2> between{{0, 0}, {length, gap}};

@@ -31,7 +31,7 @@ inline double speed(double degrees, int across, bool stairs) {
     const auto block = sph::rotated(sph::Box<2>({0, 0}, {0.2, 0.05}), angle);
     const auto slope = sph::rotated(sph::Box<2>({-0.5, -4 * dx}, {1.6, 0}), angle);
     sph::Solver<2, double, sph::SymplecticEuler, Water, Ramp, Contact> scene(
-        {.gravity = {0, -g}, .support_radius = 2.6 * dx, .threads = 1, .on_warning = {}});
+        {.gravity = {0, -g}, .support_radius = 2.6 * dx, .cfl = 0.4, .threads = 1, .on_warning = {}});
     const auto water = scene.add(Water{{.density = 1000, .sound_speed = 30}},
                                  stairs ? sph::fill(block, dx, {0, 0}) : sph::fitted(block, dx), dx);
     scene.add(Ramp{{.density = 1000}}, stairs ? sph::fill(slope, dx, {0, 0}) : sph::fitted(slope, dx), dx);

@@ -36,7 +36,7 @@ inline Rise rise(double across) {
     constexpr double gravity = 0.98, tension = 24.5, radius = 0.25, sound = 14;
     const double spacing = 1 / across;
     Preset::Scene<2, double> scene(
-        {.gravity = {0, -gravity}, .support_radius = 3 * spacing, .periodic_length = {1, 0}, .threads = 1});
+        {.gravity = {0, -gravity}, .support_radius = 3 * spacing, .cfl = 0.4, .periodic_length = {1, 0}, .threads = 1});
     const Preset::Interface interface { .surface_tension = tension };
     Preset::Water liquid{{.density = 1000, .sound_speed = sound, .viscosity = 10}};
     Preset::Oil bubble{{.density = 100, .sound_speed = sound * std::sqrt(10.0), .viscosity = 1}};

@@ -32,7 +32,7 @@ constexpr double pi = std::numbers::pi;
 
 /// A drop of water where `in_drop(x)`, in a box that is periodic along x and full of oil.
 inline Scene drop(const Point& size, double spacing, double viscosity, double angle, const auto& in_drop) {
-    Scene scene({.support_radius = 3 * spacing, .periodic_length = {size[0], 0}, .threads = 1});
+    Scene scene({.support_radius = 3 * spacing, .cfl = 0.4, .periodic_length = {size[0], 0}, .threads = 1});
     const Preset::Interface interface { .surface_tension = 1, .contact_angle = angle };
     Preset::Water water{{.density = 1, .sound_speed = 20, .viscosity = viscosity}};
     Preset::Oil oil{{.density = 1, .sound_speed = 20, .viscosity = viscosity}};

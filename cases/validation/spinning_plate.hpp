@@ -61,7 +61,7 @@ struct Spin {
 
 inline Spin spin(int across, int turns) {
     const double spacing = 1.0 / across, omega = 50;
-    PlateScene scene({.support_radius = 2 * spacing, .threads = 1});
+    PlateScene scene({.support_radius = 2 * spacing, .cfl = 0.4, .threads = 1});
     auto view = scene[scene.add(elastic<ElasticPlate>(1.7e7, 0.45, 1100),
                                 sph::fill(sph::Box<2>{{-0.5, -0.5}, {0.5, 0.5}}, spacing), spacing)];
     for (int i = 0; i < view.size(); ++i) {

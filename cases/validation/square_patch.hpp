@@ -43,7 +43,7 @@ inline double first_pressure(double x, double y) {
 
 inline Turn turn(int across, double end = 2) {
     const double spacing = 1.0 / across, H = 3 * spacing, sound = 15;
-    Scene scene({.support_radius = H, .threads = 1});
+    Scene scene({.support_radius = H, .cfl = 0.4, .threads = 1});
     auto view = scene[scene.add(Patch{{.density = 1, .sound_speed = sound}},
                                 sph::fill(sph::Box<2>{{-0.5, -0.5}, {0.5, 0.5}}, spacing), spacing)];
     for (int i = 0; i < view.size(); ++i) {

@@ -65,7 +65,11 @@ template <class Liquid>
 Wave swing(int across, double Re, int half_periods) {
     const double spacing = depth / across, omega = std::sqrt(g * k * std::tanh(k * depth));
     sph::Solver<2, double, sph::SymplecticEuler, Liquid, Floor, OnFloor<Liquid>> scene(
-        {.gravity = {0, -g}, .support_radius = 3 * spacing, .periodic_length = {wave_length, 0}, .threads = 1});
+        {.gravity = {0, -g},
+         .support_radius = 3 * spacing,
+         .cfl = 0.4,
+         .periodic_length = {wave_length, 0},
+         .threads = 1});
     const Liquid sea{{.density = rho, .sound_speed = 10 * std::sqrt(g * depth), .viscosity = rho * viscosity(Re)}};
     const sph::Box<2> water{{0, 0}, {wave_length, depth}};
     const auto handle = scene.add(sea, sph::fill(water, spacing), spacing);

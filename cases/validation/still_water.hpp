@@ -50,7 +50,7 @@ public:
     /// @param hydrostatic does it start with the pressure of its weight?
     Column(int across, bool hydrostatic)
         : spacing(side / across), surface(hydrostatic ? side : sound2 / g * std::log1p(g * side / sound2)),
-          scene({.gravity = {0, -g}, .support_radius = 3 * spacing, .threads = 1}) {
+          scene({.gravity = {0, -g}, .support_radius = 3 * spacing, .cfl = 0.4, .threads = 1}) {
         Liquid still{{.density = rho, .sound_speed = std::sqrt(sound2)}};
         still.set(sph::MonaghanViscosityParameters{.alpha = 0.02});
         water = scene.add(still, sph::fill(sph::Box<2>{{0, 0}, {side, side}}, spacing), spacing);

@@ -20,7 +20,7 @@ struct Beam {
     sph::PhaseHandle<ElasticPlate> plate;
     EndProbe probe;
     Beam(int layers, double young, double support_ratio)
-        : scene({.gravity = {0, -2}, .support_radius = support_ratio * thickness / layers, .threads = 1}) {
+        : scene({.gravity = {0, -2}, .support_radius = support_ratio * thickness / layers, .cfl = 0.4, .threads = 1}) {
         const double spacing = thickness / layers;
         const sph::Box<2> box{{-4 * spacing, -thickness / 2}, {length, thickness / 2}};
         plate = scene.add(elastic<ElasticPlate>(young, 0.4, 1000), sph::fill(box, spacing), spacing);

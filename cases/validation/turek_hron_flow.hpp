@@ -136,7 +136,7 @@ inline History run(const Setup& setup, int layers) {
     sph::require(layers % 2 == 0, "turek-hron-flow: ", layers, " particles over the thickness of the flag; it must be ",
                  "an even number, so that channel and flag share one lattice");
     const double spacing = thickness / layers, H = 2.6 * spacing;
-    Scene scene({.support_radius = H, .periodic_length = {length, 0}, .search_interval = 4, .threads = 1});
+    Scene scene({.support_radius = H, .cfl = 0.4, .periodic_length = {length, 0}, .search_interval = 4, .threads = 1});
 
     const Points points = part(spacing);
     Flow flow{{.density = water_density, .sound_speed = 25 * setup.mean_speed, .viscosity = water_viscosity}};

@@ -43,8 +43,11 @@ inline double deflection(double degrees, int across, double support, Placing pla
     const auto points = placing == Placing::fitted               ? sph::fitted(shape, dx)
                         : placing == Placing::across_the_lattice ? sph::fitted(Plain{shape}, dx)
                                                                  : sph::fill(shape, dx);
-    sph::Solver<2, double, sph::SymplecticEuler, Beam> scene(
-        {.gravity = {load * down[0], load * down[1]}, .support_radius = support * dx, .threads = 1, .on_warning = {}});
+    sph::Solver<2, double, sph::SymplecticEuler, Beam> scene({.gravity = {load * down[0], load * down[1]},
+                                                              .support_radius = support * dx,
+                                                              .cfl = 0.4,
+                                                              .threads = 1,
+                                                              .on_warning = {}});
     const double G = sph::shear_modulus_of(E, nu);
     const auto beam = scene.add(
         Beam{{.density = rho, .sound_speed = sph::sound_speed_of(E, nu, rho), .shear_modulus = G}}, points, dx);

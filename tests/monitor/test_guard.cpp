@@ -41,7 +41,7 @@ constexpr double dx = 0.05;
 
 /// A column of water that falls apart in a tank of 1 x 1 m.
 Pool pool() {
-    Pool scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx});
+    Pool scene({.gravity = {0, -9.81}, .support_radius = 2.6 * dx, .cfl = 0.4});
     scene.add(Water{{.density = 1000, .sound_speed = 40}}, sph::fill(sph::Box<2>({0, 0}, {0.4, 0.6}), dx), dx);
     scene.add(Tank{{.density = 1000}}, sph::tank(sph::Box<2>({0, 0}, {1, 1}), dx, 3, sph::Sides::y_high), dx);
     return scene;

@@ -263,6 +263,7 @@ template <class Integrator>
 Square<Integrator> sheared() {
     constexpr double dx = 0.05;
     Square<Integrator> scene({.support_radius = 3 * dx,
+                              .cfl = 0.4,
                               .periodic_lower = {0, 0},
                               .periodic_length = {1, 1},
                               .search_skin = 0.2}); // no pair is missed during a long step

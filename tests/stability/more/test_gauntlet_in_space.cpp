@@ -27,7 +27,8 @@ TEST_CASE("In space a block of water hits a floor, and a drop a pool", "[stabili
     check_margin(stability::splash<DamBreak, float, 3>);
     check_preset_in_space(stability::drops_in_flight<WeaklyCompressible, float, 3>, 0.2);
     check_margin(stability::drops_in_flight<DamBreak, float, 3>, 0.2);
-    check_margin(stability::impact<PaperInSpace, float, 3>, 0.05);
+    for (const double cfl : {0.4, 0.5}) // the paper's repulsion bears 0.62 (docs/stability_tables.md)
+        check_stable(stability::impact<PaperInSpace, float, 3>, cfl, 0.05);
 }
 
 TEST_CASE("In space particles of a thin film are laid on each other where nothing parts them", "[stability]") { // row 7

@@ -109,7 +109,7 @@ void try_one(unsigned seed, const std::array<double, 2>& supports, Tried& tried)
         started = true;
         sph::Guard<dim> guard({.interval = 1});
         guard(scene);
-        for (int k = 0; k < 200; ++k) {
+        for (int k = 0; k < 107; ++k) { // later the body hits the water, or the floor, whatever the steps are
             scene.step();
             guard(scene);
         }
