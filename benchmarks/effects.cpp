@@ -148,6 +148,8 @@ P material() {
         P solid{{.density = 1000, .sound_speed = 30, .shear_modulus = 3e5}};
         if constexpr (detail::contains<PorousSkeleton<>, typename P::terms>)
             solid.set(PorousSkeletonParameters{.porosity = 0.5});
+        if constexpr (detail::contains<HeatCapacity, typename P::terms>)
+            solid.set(HeatParameters{.heat_capacity = 1900, .heat_conductivity = 0.15});
         return solid;
     } else {
         P fluid{{.density = 1000, .sound_speed = 30, .viscosity = 1e-3}};
