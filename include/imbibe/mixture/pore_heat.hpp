@@ -70,7 +70,7 @@ struct PoreHeatExchangeParameters {
 /// What PoreHeatExchange computes of the two materials and the lattice.
 struct PreparedPoreHeatExchange {
     double constant = 0;  ///< h alpha, W/(m^3 K)
-    double quadratic = 0; ///< h beta, W/(m^3 K)
+    double quadratic = 0; ///< h beta/H^2, W/(m^5 K)
 };
 
 namespace detail {
@@ -104,7 +104,7 @@ struct PoreHeatExchange {
         Prepared prepared{};
 
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
-            const auto weight = prepared.constant - prepared.quadratic * squared_norm(ab.offset) / sq(ab.support_radius);
+            const auto weight = prepared.constant - prepared.quadratic * squared_norm(ab.offset);
             return (weight * a[volume] * b[volume] / a[mass] * ab.value(Kernel{})) * (b[temperature] - a[temperature]);
         }
     };
@@ -125,7 +125,8 @@ struct PoreHeatExchange {
         const double determinant = moments[0] * moments[2] - sq(moments[1]);
         if (!(determinant > 0))
             return {}; // neighbours are out of reach
-        return {.constant = h * moments[2] / determinant, .quadratic = h * moments[1] / determinant};
+        return {.constant = h * moments[2] / determinant,
+                .quadratic = h * moments[1] / (determinant * sq(lattice.support_radius))};
     }
 
     static constexpr const char* limit_name = "pore heat exchange";

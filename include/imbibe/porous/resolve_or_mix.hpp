@@ -2,6 +2,7 @@
 // each.
 #pragma once
 
+#include <imbibe/core/pack_functions.hpp>
 #include <imbibe/geometry/point.hpp>
 
 #include <algorithm>
@@ -75,9 +76,8 @@ struct PoreChoice {
         body.permeability > 0 ? body.permeability : body.porosity * body.pore_width * body.pore_width / 32;
     found.across_pore = found.pore_width / body.spacing;
     found.over_body = body.thickness / body.spacing;
-    const auto square = [](double x) { return x * x; };
-    found.resolved_flow = std::min(1.0, 9 / square(found.across_pore));
-    found.mixed_flow = std::min(1.0, 13 / square(found.over_body) + found.pore_width / (2 * body.thickness));
+    found.resolved_flow = std::min(1.0, 9 / sq(found.across_pore));
+    found.mixed_flow = std::min(1.0, 13 / sq(found.over_body) + found.pore_width / (2 * body.thickness));
     found.sag = std::min(1.0, 2.6 / found.over_body);
     // One part in 1e9 of slack, so that exactly four particles count as four.
     found.mix = found.across_pore < 4 * (1 - 1e-9) || found.mixed_flow < found.resolved_flow;

@@ -67,12 +67,6 @@ std::string uncoupled_in_words(const SceneStore<dim, Real>& scene) {
     return words.empty() ? words : words + "\n";
 }
 
-/// Does an implicit drag act on the phase, which Subcycled does not take?
-template <int dim, class Real>
-bool is_dragged(const PhaseStore<dim, Real>& phase) {
-    return std::any_of(phase.row->fields.begin(), phase.row->fields.end(),
-                       [](const FieldRow& field) { return field.name == "implicit_acceleration"; });
-}
 /// Lines that say what would make the scene faster, as it is now: searches that serve several steps, a solid that takes
 /// its short steps alone; or none.
 template <int dim, class Real>
@@ -106,7 +100,8 @@ std::string advice_in_words(const Neighbourhood<dim, Real>& scene, const Setting
             scene.phase(row.a).size() * std::max(scene.mean_neighbours(scene.links[k]), 0.0) * types.loads[k];
         const bool inside = row.a == row.b && scene.phase(row.a).name == limits.first.where;
         (inside ? own : others) += cost;
-        is_solid = is_solid || (inside && row.reference && !is_dragged(scene.phase(row.a)));
+        // Subcycled takes no implicit drag.
+        is_solid = is_solid || (inside && row.reference && scene.phase(row.a).row->implicit_acceleration < 0);
     }
     for (const TimeStepLimit& limit : limits.step)
         if (limit.where != limits.first.where)
