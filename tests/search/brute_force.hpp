@@ -83,6 +83,10 @@ struct Comparison {
         }
         RunList list;
         imbibe::search::find_runs<width>(list, targets.points(), source_points, grid, table, support, threads);
+        compare(targets, sources, list);
+    }
+    /// Compares given runs.
+    void compare(const Cloud<dim, Real>& targets, const Cloud<dim, Real>& sources, const RunList& list) {
         for (int i = 0; i < targets.n; ++i)
             wrong += agrees(targets, sources, list, i) ? 0 : 1;
     }

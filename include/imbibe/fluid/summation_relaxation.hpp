@@ -23,9 +23,10 @@ struct SummationRelaxationParameters {
 ///
 /// Use it beside Continuity, VolumeContinuity or CorrectedContinuity, which follow the flow from moment to moment but
 /// ignore the shifts of particles: with shifting, above all off walls, density and positions drift apart, and the fluid
-/// fills a closed box unevenly. A lid-driven cavity, 24 particles across at Re = 100, keeps half of its flow, with a
-/// density 15 % too high; with this beside ShiftingNeighbours the flow is 7 to 12 % too slow and the density 1 % too
-/// high (tests/validation/more/test_reference_cavity.cpp). docs/validation.md, fsi1 to fsi3: a channel with a cylinder.
+/// fills a closed box unevenly. A lid-driven cavity, 24 particles across at Re = 100, keeps 0.48 to 0.68 of its flow,
+/// with a density 14 to 20 % too high; with this beside ShiftingNeighbours the flow is 6 to 13 % too slow, and the
+/// density right to 2 % (tests/validation/more/test_reference_cavity.cpp, 24 starts). docs/validation.md, fsi1 to fsi3:
+/// a channel with a cylinder.
 ///
 /// For fluids without a free surface: periodic, or between walls and solids that count (`Into<Water,
 /// SummationNeighbours<>>` in every coupling), of the fluid's spacing and as many layers as the support reaches.

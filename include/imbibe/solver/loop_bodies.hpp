@@ -97,7 +97,7 @@ private:
             using Reads = ReadsOnA<dim, N>;
             using T = Pack<Real, N::in_packs ? width : 1>;
             const P material = material_of<Scene, P>(engine); // a copy, as in a sweep
-            for (int i = begin; i < end; i += T::size) { // the last pack runs on into the padding
+            for (int i = begin; i < end; i += T::size) {      // the last pack runs on into the padding
                 OwnValues<Reads, dim, T> own;
                 own.template load_consecutive<Fields>(std::as_const(s).data() + i, s.stride());
                 const OwnView<P, Reads, dim, T> a{own, material, engine.gravity, engine.step_length, engine.time};
@@ -135,6 +135,7 @@ private:
             else
                 source.columns[k] = b.column(static_cast<int>(k));
         source.runs = &link.runs;
+        source.stencils = S::reference ? &link.stencils : nullptr;
         source.support = link.support;
         source.least_distances = LeastDistances<Real, width>(link.support);
         source.images = engine.images;
@@ -167,29 +168,59 @@ private:
         const AllParts parts = all_parts;
         const Vector<double, dim> gravity_now = engine.gravity;
         const double step_length = engine.step_length, time = engine.time;
-        std::array<search::RunList::Walk, sizeof...(S)> walks{
-            search::RunList::Walk(*std::get<k>(sources).runs, begin)...};
-        for (int i = begin; i < end; ++i) {
-            Sums<Adds, dim, T> sums;
-            for (T& t : sums.total)
-                t = T(0);
-            OwnValues<OwnFields, dim, T> own;
-            own.template load<Fields>(std::as_const(s).data() + i, s.stride());
-            const OwnView<P, OwnFields, dim, T> a{own, material, gravity_now, step_length, time};
-            (gather<S, typename Scene::template FieldsOf<typename S::B>, P, Fields>(
-                 Filter<NodesFrom<S>::template Keep, Nodes>{},
-                 std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, decltype(parts)>>>{}, sums, s,
-                 engine.seen_of(phase), a, std::get<k>(sources), supports[k], std::get<k>(others), i, walks[k].next(),
-                 std::get<k>(parts)),
-             ...);
-            store(s, i, sums, Adds{});
+        // Particles [from, to) one by one; those of a pack whose fixed neighbours are summed over have only the others.
+        const auto one_by_one = [&](int from, int to, [[maybe_unused]] bool others_only) IMBIBE_INLINE_LAMBDA {
+            std::array<search::RunList::Walk, sizeof...(S)> walks{
+                search::RunList::Walk(*std::get<k>(sources).runs, from)...};
+            for (int i = from; i < to; ++i) {
+                Sums<Adds, dim, T> sums{};
+                OwnValues<OwnFields, dim, T> own;
+                own.template load<Fields>(std::as_const(s).data() + i, s.stride());
+                const OwnView<P, OwnFields, dim, T> a{own, material, gravity_now, step_length, time};
+                (gather<S, typename Scene::template FieldsOf<typename S::B>, P, Fields>(
+                     Filter<NodesFrom<S>::template Keep, Nodes>{},
+                     std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, decltype(parts)>>>{}, sums, s,
+                     engine.seen_of(phase), a, std::get<k>(sources), supports[k], std::get<k>(others), i,
+                     S::reference && others_only ? search::RunList::Range{} : walks[k].next(), std::get<k>(parts)),
+                 ...);
+                store(s, i, sums, Adds{}, [](T lanes) { return sum(lanes); });
+            }
+        };
+        if constexpr (width == 1 || !(S::reference || ...)) {
+            one_by_one(begin, end, false);
+        } else {
+            for (int from = begin; from < end; from += width) {
+                const bool in_pack = (!std::get<k>(sources).stencil_of(from / width).is_empty() || ...);
+                if (in_pack) {
+                    Sums<Adds, dim, T> sums{};
+                    OwnValues<OwnFields, dim, T> own;
+                    own.template load_consecutive<Fields>(std::as_const(s).data() + from, s.stride());
+                    const OwnView<P, OwnFields, dim, T> a{own, material, gravity_now, step_length, time};
+                    (gather_pack<S, typename Scene::template FieldsOf<typename S::B>, Fields>(
+                         Filter<NodesFrom<S>::template Keep, Nodes>{},
+                         std::make_index_sequence<std::tuple_size_v<std::tuple_element_t<k, decltype(parts)>>>{}, sums,
+                         s, a, std::get<k>(sources), supports[k], std::get<k>(others), from, std::get<k>(parts)),
+                     ...);
+                    store(s, from, sums, Adds{}, [](T lanes) { return lanes; });
+                }
+                if (!in_pack || sizeof...(S) > 1)
+                    one_by_one(from, std::min(from + width, end), in_pack);
+            }
         }
     }
+    // Adds the sums of particle i, or of as many from there on as `of_lanes` returns of a pack.
     template <class Adds, class T, class... F>
-    IMBIBE_INLINE static void store(Phase& s, int i, const Sums<Adds, dim, T>& sums, TypeList<F...>) {
+    IMBIBE_INLINE static void store(Phase& s, int i, const Sums<Adds, dim, T>& sums, TypeList<F...>,
+                                    const auto& of_lanes) {
         const auto one = [&]<class G>(std::type_identity<G>) {
-            for (int c = 0; c < components(G::rank, dim); ++c)
-                s.column(offset<G> + c)[i] += sum(sums.total[component_offset<dim, G, Adds> + c]);
+            for (int c = 0; c < components(G::rank, dim); ++c) {
+                Real* const to = s.column(offset<G> + c) + i;
+                const auto more = of_lanes(sums.total[component_offset<dim, G, Adds> + c]);
+                if constexpr (std::is_same_v<decltype(more), const T>)
+                    (T::load(to) + more).store(to);
+                else
+                    *to += more;
+            }
         };
         (one(std::type_identity<F>{}), ...);
     }

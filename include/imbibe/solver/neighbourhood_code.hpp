@@ -11,22 +11,18 @@ void Neighbourhood<dim, Real>::find_reference_neighbours() {
         Phase& s = phases[k];
         if (!s.row->keeps_reference() || s.size() == 0 || !s.grown)
             continue;
-        const auto places = [&] { return s.points_of(s.row->reference_position); };
-        const double reach = s.numbers().support_radius;
-        const auto bounds = search::bounds_of(places(), this->threads);
-        require_finite(s, bounds);
-        search::Grid<dim> reference_grid;
-        reference_grid.fit(bounds, reach, this->periodic, s.size());
-        search::CellTable cells;
-        if (!cells.sort(reference_grid, places(), this->threads)) {
-            s.reorder(cells.order(), this->threads);
-            s.note_all_written();
-        }
+        const auto places = s.points_of(s.row->reference_position);
+        require_finite(s, search::bounds_of(places, this->threads));
+        const PhaseNumbers numbers = s.numbers();
+        auto lists = search::find_fixed_lists<Base::width>(places, numbers.support_radius, numbers.spacing,
+                                                           this->periodic, this->threads);
+        s.reorder(lists.order, this->threads);
+        s.note_all_written();
         for (Link& link : links)
             if (link.row.reference && link.row.a == static_cast<int>(k)) {
-                link.support = reach;
-                search::find_runs<Base::width>(link.runs, places(), places(), reference_grid, cells, link.support,
-                                               this->threads);
+                link.support = numbers.support_radius;
+                link.runs = lists.runs;
+                link.stencils = lists.stencils;
             }
     }
 }

@@ -4,6 +4,7 @@
 
 #include <imbibe/core/compiled_core.hpp>
 #include <imbibe/core/error.hpp>
+#include <imbibe/search/stencils.hpp>
 #include <imbibe/solver/seen.hpp>
 
 #include <limits>
@@ -14,7 +15,8 @@ namespace imbibe::detail {
 struct IMBIBE_PER_BUILD Link {
     LinkRow row;
     search::RunList runs;
-    double support = 0; ///< m
+    search::RunList stencils; ///< of reference neighbours; see search::FixedLists
+    double support = 0;       ///< m
     /// Distance of the nearest pair, m, if a term asks for it (TimeStepInput::nearest).
     double nearest = std::numeric_limits<double>::infinity();
     long long sweeps = 0; ///< number of sweeps over these neighbours
@@ -34,7 +36,7 @@ public:
     std::span<const Reduction<dim, Real>> reductions;
     std::vector<Phase> phases;
     std::vector<Seen<dim, Real>> seen; ///< of those that keep their reference order
-    std::vector<std::any> couplings; ///< an object of each one's type
+    std::vector<std::any> couplings;   ///< an object of each one's type
     std::vector<std::string> coupling_names;
     std::vector<Link> links;
 
@@ -126,7 +128,7 @@ public:
     std::size_t list_bytes() const {
         std::size_t sum = 0;
         for (const Link& link : links)
-            sum += link.runs.bytes();
+            sum += link.runs.bytes() + link.stencils.bytes();
         return sum;
     }
 };

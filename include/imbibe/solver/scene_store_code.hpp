@@ -16,7 +16,7 @@ SceneStore<dim, Real>::SceneStore(const SceneTable& of, std::span<const Reductio
         coupling_names.push_back(row.name());
     }
     for (const LinkRow& row : table.links)
-        links.push_back({.row = row, .runs = {}});
+        links.push_back({.row = row, .runs = {}, .stencils = {}});
 }
 
 template <int dim, class Real>

@@ -202,9 +202,15 @@ template <int dim, class List, class Real, int width>
 struct SourceData {
     Columns<dim, List, Real> columns;
     const search::RunList* runs;
+    const search::RunList* stencils; ///< of reference neighbours; null for present ones
     double support;
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
     LeastDistances<Real, width> least_distances;
+
+    /// Of the pack of particles pack * width, pack * width + 1, ...
+    search::RunList::Range stencil_of(int pack) const {
+        return stencils != nullptr ? (*stencils)[pack] : search::RunList::Range{nullptr, nullptr};
+    }
 };
 
 /// The contribution of a single node for one run of neighbours.
@@ -250,8 +256,7 @@ template <class S, class ListB, class A, class ListA, class... N, class Adds, cl
           class PartTuple, std::size_t... k>
 IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
                           const PhaseStore<dim, Real>& state, [[maybe_unused]] const Seen<dim, Real>& seen,
-                          const Own& a,
-                          const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
+                          const Own& a, const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
                           const typename S::B& material_b, int i, const search::RunList::Range& own_runs,
                           const PartTuple& parts) {
     using T = Pack<Real, width>;
@@ -263,7 +268,7 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
     ab.gravity_now = a.gravity_now;
     // A particle is its own neighbour. With this assumption the compiler computes loop invariants once, before the loop
     // over particles; otherwise it does so for each particle, after checking whether there is any neighbour.
-    if constexpr (std::is_same_v<A, typename S::B>)
+    if constexpr (std::is_same_v<A, typename S::B> && !S::reference)
         IMBIBE_ASSUME(!own_runs.is_empty());
     else if (own_runs.is_empty())
         return;
@@ -297,6 +302,43 @@ IMBIBE_INLINE void gather(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, 
             multiply_out<Gives<N, decltype(std::get<k>(parts)(a, std::declval<const B&>(), ab))>...>(sums, ab.offset);
         } while (++run != end);
     });
+}
+
+/// The same for as many particles from i on as a pack has lanes, each in one, by their stencil: `a` has the fields of
+/// all of them. Nothing for present neighbours.
+template <class S, class ListB, class ListA, class... N, class Adds, class Own, int dim, class Real, int width,
+          class PartTuple, std::size_t... k>
+IMBIBE_INLINE void gather_pack(TypeList<N...>, std::index_sequence<k...>, Sums<Adds, dim, Pack<Real, width>>& sums,
+                               const PhaseStore<dim, Real>& state, const Own& a,
+                               const SourceData<dim, ListB, Real, width>& source, const SupportRadius& support,
+                               const typename S::B& material_b, int i, const PartTuple& parts) {
+    if constexpr (S::reference) {
+        using T = Pack<Real, width>;
+        using B [[maybe_unused]] = NeighbourView<typename S::B, ListB, dim, Real, width>;
+        constexpr int place_a = component_offset<dim, ReferencePosition, ListA>,
+                      place_b = component_offset<dim, ReferencePosition, ListB>;
+        Pair<dim, T> ab;
+        ab.set(support);
+        ab.gravity_now = a.gravity_now;
+        const auto add_runs = [&](const search::Run* run, const search::Run* end, int through) IMBIBE_INLINE_LAMBDA {
+            const Vector<Real, dim>& image = source.images[static_cast<std::size_t>(through)];
+            Vector<T, dim> place; // of the particles, as seen through the image
+            for (int d = 0; d < dim; ++d)
+                place[d] = T::load(state.column(place_a + d) + i) - T(image[d]);
+            do {
+                const std::size_t first = run->first();
+                for (int d = 0; d < dim; ++d)
+                    ab.offset[d] = place[d] - T::load(source.columns[static_cast<std::size_t>(place_b + d)] + first);
+                ab.distance = sqrt(squared_norm(ab.offset));
+                for (T& c : sums.central)
+                    c = T(0);
+                (add_run<N, ListB>(std::get<k>(parts), sums, a, source, material_b, ab, first, image), ...);
+                multiply_out<Gives<N, decltype(std::get<k>(parts)(a, std::declval<const B&>(), ab))>...>(sums,
+                                                                                                         ab.offset);
+            } while (++run != end);
+        };
+        source.stencil_of(i / width).for_each_image(add_runs);
+    }
 }
 
 } // namespace imbibe::detail
