@@ -8,8 +8,8 @@ other, or a movie of all of them.
     python3 tools/render_space.py out-dam-break --movie dam_break.mp4
 
 Fluids are coloured by their speed, solids by how far they have been displaced (in one colour where the files do not
-tell), one phase by a field of its own (--field); of walls the edges of the room between them are drawn. Needs VTK and,
-where there is no screen, Xvfb: sh tools/install_packages.sh pictures
+tell), one phase by a field of its own (--field); of walls the edges of the room between them are drawn, and what stands
+in it. Needs VTK and, where there is no screen, Xvfb: sh tools/install_packages.sh pictures
 """
 
 import argparse
@@ -23,9 +23,9 @@ import tempfile
 
 import particle_files
 from missing_packages import SYSTEM, end_without
-from picture_style import INK, SPONGE, WATER, np, plt, readable_unit, save
+from picture_style import INK, SPONGE, WALL, WATER, np, plt, readable_unit, save
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize, to_rgb
+from matplotlib.colors import ListedColormap, Normalize, to_rgb
 from tool_errors import end_with, whole_number
 
 REMEDY = "sh tools/install_packages.sh pictures"
@@ -46,6 +46,7 @@ except ImportError as missing:
 
 DPI = 150
 FRAME = "#9aa5af"  # the edges of the room between the walls
+STONE = ListedColormap([WALL])  # what stands in it
 
 
 def read_arguments():
@@ -60,7 +61,7 @@ def read_arguments():
     parser.add_argument("--fluid", nargs="+", default=["water"], metavar="PHASE",
                         help="phases drawn as liquids, coloured by their speed (default: water)")
     parser.add_argument("--walls", nargs="*", default=["tank", "plates", "vessel", "wall", "tray"], metavar="PHASE",
-                        help="phases of which only the room between them is outlined")
+                        help="phases of which only the room between them is outlined, and what stands in it is drawn")
     parser.add_argument("--field", nargs=2, metavar=("PHASE", "FIELD"),
                         help="a phase to be coloured by one of its fields, and that field's name in the files")
     parser.add_argument("--opacity", type=float, default=1, help="of the liquids, 0 (not drawn) to 1 (default: 1)")
@@ -111,8 +112,9 @@ class Phase:
         self.name, self.series, self.liquid = name, series, name in arguments.fluid
         self.first = self.at(series[0][0])
         self.spacing = particle_files.spacing_of(self.first)
-        self.map = WATER if self.liquid else SPONGE
-        if len(self.first.points) > 1 and np.ptp(self.first.points[:, 2]) == 0:
+        wall = name in arguments.walls
+        self.map = WATER if self.liquid else STONE if wall else SPONGE
+        if not wall and len(self.first.points) > 1 and np.ptp(self.first.points[:, 2]) == 0:
             end_with(f"{name} lies in a plane; tools/render_plane.py draws runs in two dimensions")
         arrays = self.first.arrays
         if arguments.field and arguments.field[0] == name:
@@ -152,7 +154,7 @@ class Phase:
 
 
 def read_run(arguments):
-    """The phases to be drawn, the walls' particles, and the times."""
+    """The phases to be drawn, the walls, and the times."""
     lists = {os.path.splitext(os.path.basename(path))[0]: particle_files.read_series(path)
              for path in sorted(glob.glob(os.path.join(arguments.folder, "*.pvd")))}
     lists = {name: series for name, series in lists.items() if series}
@@ -165,7 +167,7 @@ def read_run(arguments):
     if arguments.field and arguments.field[0] not in drawn:
         end_with(f"there is no {arguments.field[0]} to colour in {arguments.folder}; phases drawn: {', '.join(drawn)}")
     phases = [Phase(name, lists[name], arguments) for name in drawn]
-    walls = [particle_files.read_snapshot(lists[name][0][1]) for name in arguments.walls if name in lists]
+    walls = [Phase(name, lists[name], arguments) for name in arguments.walls if name in lists]
     known = sorted({time for phase in phases for time, _ in phase.series})
     if arguments.movie:
         return phases, walls, known
@@ -197,8 +199,8 @@ def set_scales(phases, times):
 def room(walls, box):
     """The room between the walls: per side, what stands there in the middle of that side, else as far as walls reach.
     Not far beyond the box of what is drawn."""
-    points = np.concatenate([wall.points for wall in walls])
-    spacing = max(particle_files.spacing_of(wall) for wall in walls)
+    points = np.concatenate([wall.first.points for wall in walls])
+    spacing = max(wall.spacing for wall in walls)
     low, high = points.min(axis=0), points.max(axis=0)
     middle, margin = (low + high) / 2, 0.1 * (box[1] - box[0]).max()
     inner = [low - spacing / 2, high + spacing / 2]
@@ -208,9 +210,23 @@ def room(walls, box):
         if (abs(beam - middle[axis]) < 2 * spacing).any():
             continue  # a plate there: no room
         below, above = beam[beam < middle[axis]], beam[beam > middle[axis]]
-        inner[0][axis] = below.max() + spacing / 2 if len(below) else inner[0][axis]
-        inner[1][axis] = above.min() - spacing / 2 if len(above) else inner[1][axis]
+        inner[0][axis] = innermost(below, spacing) + spacing / 2 if len(below) else inner[0][axis]
+        inner[1][axis] = -innermost(-above, spacing) - spacing / 2 if len(above) else inner[1][axis]
     return np.maximum(inner[0], box[0] - margin), np.minimum(inner[1], box[1] + margin)
+
+
+def innermost(beam, spacing):
+    """The last layer of the wall that begins with the lowest of these numbers; what stands in the room is behind a gap."""
+    layers = np.unique(beam)
+    return layers[np.append(np.diff(layers) > 1.5 * spacing, True)][0]
+
+
+def standing_in(room, wall, time):
+    """What of a wall stands in the room between the walls, such as a pillar."""
+    snapshot, edge = wall.at(time), wall.spacing / 4
+    inside = ((snapshot.points > room[0] + edge) & (snapshot.points < room[1] - edge)).all(axis=1)
+    return particle_files.Snapshot(snapshot.points[inside], {key: of[inside] for key, of in snapshot.arrays.items()},
+                                   snapshot.units, snapshot.constants)
 
 
 # From particles to a surface.
@@ -428,7 +444,9 @@ def draw(phases, walls, times, box, arguments):
         end_with(f"--size is too small for {rows} x {columns} panels and their scales")
     figure = plt.figure(figsize=(width, height))
     for k, time in enumerate(times):
-        actors = [actor_of(phase, phase.at(time), box, arguments, camera.eye) for phase in phases]
+        shown = [(phase, phase.at(time)) for phase in phases]
+        shown += [(wall, standing_in(scene[1], wall, time)) for wall in walls]
+        actors = [actor_of(phase, snapshot, box, arguments, camera.eye) for phase, snapshot in shown]
         actors = [actor for actor in actors if actor] + ([outline(*scene[1])] if walls else [])
         image = photograph(actors, camera, round(panel * DPI), round(tall * DPI), np.linalg.norm(box[1] - box[0]))
         x, y = k % columns * panel, height - top - (k // columns + 1) * (label + tall)

@@ -30,7 +30,8 @@ TOOLS = os.path.dirname(os.path.abspath(__file__))
 LIBRARY = os.path.join(os.path.dirname(TOOLS), "build-view", "three")
 MODULES = {"three-core": "build/three.core.min.js", "three": "build/three.module.min.js",
            "three-orbit": "examples/jsm/controls/OrbitControls.js"}  # the page's name of each, and its file
-BYTES = 28e6  # of all blocks, as text
+MEGABYTES = 30  # of the page, by default
+PROGRAM_BYTES = 2e6  # of the page without its blocks
 FRAMES, FEWEST_FRAMES = 60, 30  # by default, and before particles are left out
 STILL_POINTS = 100_000  # of a phase that stands still, by default: it is stored once
 FIELDS = 4  # of each phase, by default
@@ -50,8 +51,10 @@ def read_arguments():
     parser.add_argument("--every", type=whole_number, metavar="N", help="each N-th snapshot")
     parser.add_argument("--frames", type=whole_number, metavar="N",
                         help=f"at most N snapshots, evenly spaced (default: {FRAMES}, or fewer where they are large)")
-    parser.add_argument("--points", type=whole_number, metavar="N",
-                        help=f"about N particles in a snapshot (default: what makes a page of {BYTES / 1e6:.0f} MB)")
+    parser.add_argument("--points", type=whole_number, metavar="N", help="about N particles in a snapshot")
+    parser.add_argument("--megabytes", type=whole_number, default=MEGABYTES, metavar="N",
+                        help="about how large the page may be: snapshots, then particles are left out; has no effect on "
+                             f"--points (default: {MEGABYTES})")
     parser.add_argument("--size", type=float, default=1.0, help="the size of a particle, 1 being its own (default: 1)")
     parser.add_argument("--title", help="the title of the page (default: from the folder's name)")
     arguments = parser.parse_args()
@@ -59,6 +62,8 @@ def read_arguments():
         parser.error("--every and --frames both choose snapshots; give one of the two")
     if not 0 < arguments.size < 100:
         parser.error("--size must be above 0 and below 100")
+    if arguments.megabytes < 4:
+        parser.error("--megabytes must be at least 4")
     return arguments
 
 
@@ -184,21 +189,21 @@ def view_of(phases, box):
     return np.maximum(everything.min(axis=0), box[0]) - edge, np.minimum(everything.max(axis=0), box[1]) + edge
 
 
-def choose_shares(phases, fields, points):
-    """Sets the share of each phase's particles that the page holds."""
+def choose_shares(phases, fields, points, most):
+    """Sets the share of each phase's particles that the page holds, of whose blocks the text has `most` bytes."""
     if points:
         share = min(1.0, points / sum(phase.most for phase in phases))
         for phase in phases:
             phase.share = share
         return
-    left = BYTES
+    left = most
     for phase in (phase for phase in phases if phase.still):
         phase.share = min(1.0, STILL_POINTS / phase.most)
         left -= phase.share * phase.cost(fields[phase])
     moving = [phase for phase in phases if not phase.still]
     asked = sum(phase.cost(fields[phase]) for phase in moving)
     for phase in moving:
-        phase.share = min(1.0, max(left, 0.1 * BYTES) / asked)
+        phase.share = min(1.0, max(left, 0.1 * most) / asked)
 
 
 def kept(snapshot, share, box):
@@ -318,7 +323,7 @@ def whole_run(arguments):
     phases, times, all_times = read_phases(lists, arguments)
     check_fields(phases, arguments.fields)
     fields = {phase: phase.chosen_fields(arguments.fields) for phase in phases}
-    choose_shares(phases, fields, arguments.points)
+    choose_shares(phases, fields, arguments.points, 1e6 * arguments.megabytes - PROGRAM_BYTES)
     if not (arguments.every or arguments.frames or arguments.points) and len(times) > FEWEST_FRAMES:
         share = min((phase.share for phase in phases if not phase.still), default=1)
         most = max(FEWEST_FRAMES, int(share * len(times)))

@@ -85,7 +85,7 @@ const PLAIN = { light: ["#5a9fd0", "#dfa866", "#6db491", "#ab83c4"],
                 dark: ["#4a97d0", "#d08c4c", "#5aa883", "#a077bd"] };
 const WALL = { light: "#b9c1c8", dark: "#77838e" }, PAPER = { light: "#f6f8fa", dark: "#0f151b" };
 const LINE = { light: "#b4bec7", dark: "#3d4a56" }, CUT = { light: "#1f6fb4", dark: "#6db1da" };
-const mode = () => dark.matches ? "dark" : "light";
+const mode = () => document.documentElement.dataset.paper ?? (dark.matches ? "dark" : "light");
 const numbers = hex => [1, 3, 5].map(k => parseInt(hex.slice(k, k + 2), 16) / 255);
 
 // Fluids take the colours from the blue one on, solids from the brown one on, none twice as long as there are others.
@@ -707,7 +707,7 @@ function listen() {
 }
 
 // What the address asks for after #, such as
-//     #frame=12&view=40,20,2&cut=y,0.4&field.water=pressure&look.tank=hidden
+//     #frame=12&view=40,20,2&cut=y,0.4&field.water=pressure&look.tank=hidden&playing&paper=dark
 function read_address() {
     for (const [key, value] of new URLSearchParams(location.hash.slice(1))) {
         const phase = run.phases.find(one => key.endsWith("." + one.name));
@@ -721,6 +721,10 @@ function read_address() {
             phase.field = phase.fields.findIndex(field => field.name === value);
         else if (key.startsWith("look.") && phase && value in scenes)
             phase.look = value;
+        else if (key === "playing")
+            playing = true;
+        else if (key === "paper" && value in PAPER)
+            document.documentElement.dataset.paper = value;
     }
 }
 
@@ -733,7 +737,7 @@ make_panel();
 by("place").value = 1000 * cut.share;
 by("axes").querySelectorAll("input")[AXES.indexOf(cut.axis) + 1].checked = true;
 listen();
-set_playing(false);
+set_playing(playing);
 show_colours();
 show_cut();
 show_frame();

@@ -8,6 +8,7 @@ too, against what they speak of:
   (in a header it may stand further to the left)
 - every line of CMake stands, for other names, in a file of tests/consume that the line before the block names likewise;
 - every program and script that a block of commands calls is there, and so is every target it builds;
+- every example is in docs/gallery.md, and every command there is also in another page or in a source;
 - every term has its place in docs/policies.md, and its cost in docs/effects.md; its comment and that of every kernel and
   integrator names the source, and what it is not for;
 - every link to a file, a page or a heading has where to go;
@@ -26,6 +27,7 @@ import sys
 from costs import HEADERS, ROOT, lines_of
 from filter import page_name, slug
 
+GALLERY = os.path.join("docs", "gallery.md")
 STUDIES = {"sponge_study.cpp"}  # programs among the examples that are not for copying
 COMPILED = ("examples/", "tests/", "cases/", "studies/", "benchmarks/", "include/")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -86,7 +88,8 @@ def stand_ins():
     """What the projects of tests/consume say where a page says something that is its reader's."""
     header = text_of("include/imbibe/version.hpp")
     major, minor = (re.search(rf"VERSION_{part} (\d+)", header)[1] for part in ("MAJOR", "MINOR"))
-    return {"my_program": r"\w+", "/path/to/imbibe": r"\$\{IMBIBE_SOURCE\}",
+    return {"my_program my_program.cpp": r"program \S+/main\.cpp \S+", "my_program": r"\w+",
+            "/path/to/imbibe": r"\$\{IMBIBE_SOURCE\}",
             "add_subdirectory(imbibe)": r"add_subdirectory\(\$\{IMBIBE_SOURCE\} imbibe\)",
             f"imbibe {major}.{minor} ": r"imbibe \$\{EXPECTED_VERSION\} "}
 
@@ -97,11 +100,12 @@ def faults_of_cmake(code, before):
     if not cut or not cut[1].startswith("tests/consume/") or not os.path.exists(os.path.join(ROOT, cut[1])):
         yield "shows CMake and does not say from which file of tests/consume"
         return
+    text = text_of(cut[1]).replace("include(../program.cmake)", text_of("tests/consume/program.cmake"))
     for line in code.splitlines():
         pattern = re.escape(line.split("#")[0].strip())
         for said, meant in stand_ins().items():
             pattern = pattern.replace(re.escape(said), meant)
-        if not re.search(rf"^{pattern}$", text_of(cut[1]), re.MULTILINE):
+        if not re.search(rf"^{pattern}$", text, re.MULTILINE):
             yield f"shows a line that {cut[1]} does not have: {line}"
 
 
@@ -126,7 +130,7 @@ def programs():
 
 def faults_of_commands(code, known):
     for called in re.findall(r"(?:^|[\s;&(])build[\w-]*/([\w/]+)", code):
-        if called != "benchmarks" and called not in known:
+        if called not in known | {"benchmarks", "my_program"}:
             yield f"calls {called}, a program that is not built"
     for script in re.findall(r"(?:^|[\s;&(])((?:tools|docs|\.ci)/[\w./-]+\.(?:py|sh))", code):
         if not os.path.exists(os.path.join(ROOT, script)):
@@ -135,6 +139,20 @@ def faults_of_commands(code, known):
         for target in targets.split():
             if target not in known | {"all_verify_interface_header_sets"}:
                 yield f"builds {target}, which is not there"
+
+
+def faults_of_the_gallery(text, pages):
+    """Examples that the gallery leaves out, and commands that stand nowhere else."""
+    sources = glob.glob(os.path.join(ROOT, "examples", "**", "*.cpp"), recursive=True) + \
+        glob.glob(os.path.join(ROOT, "tools", "*.py"))
+    for path in sorted(glob.glob(os.path.join(ROOT, "examples", "*.cpp"))):
+        if f"](../examples/{os.path.basename(path)})" not in text:
+            yield f"does not have {os.path.relpath(path, ROOT)}"
+    elsewhere = "".join(map(text_of, [page for page in pages if page != GALLERY] + sources))
+    for block in FENCE.finditer(text):
+        for command in block[2].splitlines():
+            if command not in elsewhere and "install_packages.sh" not in command and "--target" not in command:
+                yield f"has a command that is nowhere else: {command}"
 
 
 def faults_of_the_list(text):
@@ -209,6 +227,8 @@ def main():
         found = [(0, it) for it in faults_of_links(text, page)]
         if page in (os.path.join("docs", "policies.md"), os.path.join("docs", "effects.md")):
             found += [(0, it) for it in faults_of_the_list(text)]
+        if page == GALLERY:
+            found += [(0, it) for it in faults_of_the_gallery(text, pages)]
         if len(re.findall(r"^```", text, re.MULTILINE)) != 2 * len(FENCE.findall(text)):
             found.append((0, "has a block of code that does not end"))
         for block in FENCE.finditer(text):

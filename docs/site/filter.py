@@ -5,17 +5,19 @@ In headers: the names that every term, field and kernel has by contract (`reads`
 sentence that says what they mean, so that it is not written beside each; below each effect and each kernel stands what
 it costs (costs.py); and all names are put into the group of the header's folder (tree.dox).
 
-In pages: `Name` becomes a link to what the headers say about it; links to other pages and to headings, written so that
-they work wherever Markdown is shown, become Doxygen's. All but README.md get a table of contents.
+In pages: `Name` becomes a link to what the headers say about it, and `examples/name.cpp` one to its source; links to
+other pages, to headings and to examples, written so that they work wherever Markdown is shown, become Doxygen's. All but
+README.md get a table of contents. To tree.dox it adds a page for the source of each example.
 
     python3 docs/site/filter.py include/imbibe/fluid/continuity.hpp
 """
 
+import glob
 import os
 import re
 import sys
 
-from costs import HEADERS, lines_of, tables
+from costs import HEADERS, ROOT, lines_of, tables
 
 # Members that mean the same wherever they stand.
 CONTRACT = [
@@ -173,12 +175,21 @@ def slug(heading):
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
+def sources():
+    """The examples, as Doxygen names their pages: dam_break.cpp, guides/inflow.cpp."""
+    folder = os.path.join(ROOT, "examples")
+    found = glob.glob(os.path.join(folder, "**", "*.cpp"), recursive=True)
+    return [it for it in sorted(os.path.relpath(path, folder) for path in found) if not it.startswith("support")]
+
+
 def page(text, path):
     """A page with links that Doxygen follows."""
-    names, own = public_names(), page_name(path)
+    names, own, programs = public_names(), page_name(path), sources()
 
     def link(match):
         target, _, anchor = match[2].partition("#")
+        if (source := re.match(r"(?:\.\./)?examples/(.*)", target)) and source[1] in programs:
+            return f"[{match[1]}](@ref {source[1]})"
         if re.match(r"\w+:", target) or (target and not target.endswith(".md")):
             return match[0]
         name = page_name(target) if target else own
@@ -189,6 +200,9 @@ def page(text, path):
         full = names.get(match[1])
         return f"[{match[0].strip('`')}](@ref {full})" if full else match[0]
 
+    def source_link(match):
+        return f"[{match[0][1:-1]}](@ref {match[1]})" if match[1] in programs else match[0]
+
     def heading(match):
         return f"{match[0]} {{#{own if match[1] == '#' else f'{own}-{slug(match[2])}'}}}"
 
@@ -198,6 +212,7 @@ def page(text, path):
             parts[k] = re.sub(r"^(#+) (.*)$", heading, parts[k], flags=re.MULTILINE)
         parts[k] = re.sub(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)", link, parts[k])
         parts[k] = re.sub(r"(?<!\[)`(\w+)(?:<[^`\n]*>)?`(?!\])", type_link, parts[k])
+        parts[k] = re.sub(r"(?<!\[)`examples/([\w/]+\.cpp)`(?!\])", source_link, parts[k])
     return "".join(parts) + ("" if own == "index" else "\n\n\\tableofcontents{html:2}")
 
 
@@ -209,7 +224,13 @@ def page_name(path):
 def main():
     path = sys.argv[1]
     lines = lines_of(path)
-    print("\n".join(grouped(header(lines), path)) if path.endswith(".hpp") else page("\n".join(lines), path))
+    if path.endswith(".dox"):
+        lines += [f"/** @example {it} */" for it in sources()]
+        print("\n".join(lines))
+    elif path.endswith(".hpp"):
+        print("\n".join(grouped(header(lines), path)))
+    else:
+        print(page("\n".join(lines), path))
 
 
 if __name__ == "__main__":

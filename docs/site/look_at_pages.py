@@ -81,8 +81,8 @@ def narrow_to(driver, width, height=900):
 def chosen(html):
     """The pages to look at."""
     made = sorted(os.path.basename(path) for path in glob.glob(os.path.join(html, "*.html")))
-    lists = ("dir_", "functions", "files", "graph_legend", "namespacemembers")  # they have no title
-    made = [page for page in made if not page.endswith(("-members.html", "_source.html")) and not page.startswith(lists)]
+    others = ("dir_", "functions", "files", "graph_legend", "namespacemembers", "view-")  # they have no title
+    made = [page for page in made if not page.endswith(("-members.html", "_source.html")) and not page.startswith(others)]
     of_headers = [page for page in made if page.startswith(("struct", "class", "namespace", "concept"))]
     names = {name for row in rows("policies.md", "| | Policies |") for name in re.findall(r"`([A-Z]\w+)(?!\w|::)", row[1])}
     named = {page for name in names for kind in ("struct", "class") for space in ("", "presets_1_1")

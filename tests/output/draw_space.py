@@ -54,9 +54,9 @@ def write_phase(folder, name, spacing, moments):
         file.write("<VTKFile><Collection>" + "".join(entries) + "</Collection></VTKFile>")
 
 
-def make_run(folder):
+def make_run(folder, pillars=()):
     """A room of 40 x 4 x 20 mm: in its lower left quarter water, that has become a thread and a drop at 10 ms, and a
-    cube of a solid in the upper right corner."""
+    cube of a solid in the upper right corner. The walls have these pillars as well."""
     os.makedirs(folder)
     pool, cube = lattice((0, 0, 0), (20, 4, 10), 0.5), lattice((36, 0, 16), (40, 4, 20), 0.5)
     thin = np.concatenate([lattice((0, 1.75, 5), (20, 2.25, 5.5), 0.5), [[30 * MM, 2 * MM, 5 * MM]]])
@@ -66,7 +66,7 @@ def make_run(folder):
                                                       "deviator": np.ones((len(cube), 6))}) for time in (0.0, 0.01)})
     walls = [lattice(*ends, 1) for ends in (((-1, 0, -1), (41, 4, 0)), ((-1, 0, 20), (41, 4, 21)),
                                             ((-1, 0, 0), (0, 4, 20)), ((40, 0, 0), (41, 4, 20)))]
-    write_phase(folder, "vessel", 1, {0.0: (np.concatenate(walls), {})})
+    write_phase(folder, "vessel", 1, {0.0: (np.concatenate([*walls, *pillars]), {})})
 
 
 def tool(*arguments, fails=None, **surroundings):
@@ -112,6 +112,16 @@ def main():
         water, solid = picture.blue[inside].mean(), picture.brown[inside].mean()
         print(f"water {water:.4f} ({quarter}), solid {solid:.4f} (0.02) of the room{', cut' * bool(cut)}")
         assert abs(water - quarter) < 0.004 and 0.018 < solid < 0.026, (water, solid)
+
+    # A pillar is drawn, and the room is as large as without it.
+    with_pillar, scale = os.path.join(folder, "pillar"), (right - left) / 40
+    make_run(with_pillar, [lattice((28, 0, 0), (32, 4, 15), 1)])
+    before = picture.grey
+    tool(with_pillar, *front[1:], "--times", "0", "--slice", "y", "0.75")
+    picture = Picture(out, width, height)
+    pillar = (picture.grey & ~before).sum() / scale ** 2
+    print(f"pillar of {pillar:.1f} mm^2 (60)")
+    assert picture.room() == (top, bottom, left, right) and 50 < pillar < 66, (picture.room(), pillar)
 
     # A thread one particle thick and a single one are still there, with about their volume.
     tool(*front, "--times", "10")

@@ -16,6 +16,7 @@ except ImportError as missing:
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 VIEW = os.path.join(ROOT, "tools", "view.py")
+GALLERY = os.path.join(ROOT, "docs", "site", "gallery.py")
 LIBRARY = os.path.join(ROOT, "build-view", "three", "package.json")
 SKIPPED = 77
 KINDS = {"f": "Float32", "i": "Int32"}
@@ -125,6 +126,7 @@ def refuse_bad_input(folder, run):
     view(run, "--every", "2", "--frames", "3", fails="give one of the two")
     view(run, "--frames", "0", fails="above 0")
     view(run, "--size", "nan", fails="above 0")
+    view(run, "--megabytes", "3", fails="at least 4")
     view(run, "-o", os.path.join(folder, "none", "x.html"), fails="cannot write")
 
 
@@ -144,6 +146,9 @@ def look_at_pages(program, folder, run, counts, walls, plane, plane_counts, plan
     assert "t = 37.0 ms" in text, re.search(r't = [^<]*', text)[0]
     body, _ = seen(program, folder, page, "#cut=z,0.5&look.tank=hidden&field.water=pressure")
     assert 0 < int(body["counted"]) < counts[0] == int(body["drawn"]), body
+
+    _, text = seen(program, folder, page, "#playing&paper=dark")
+    assert 'aria-label="Pause"' in text and '<html lang="en" data-paper="dark">' in text, text[:200]
 
     # Keys step through it.
     with open(page, encoding="utf-8") as file:
@@ -170,6 +175,31 @@ def look_at_pages(program, folder, run, counts, walls, plane, plane_counts, plan
     assert 400 < int(body["drawn"]) < 600 and "particles, drawn larger" in text and "2 of 4 snapshots" in text, body
 
 
+def put_into_a_gallery(program, folder):
+    """The script of the site puts a view beside the gallery, to which the picture of the run leads."""
+    run, html = os.path.join(folder, "out-dam-break"), os.path.join(folder, "html")
+    counts, walls = make_run(run, 2, flat=False)
+    os.makedirs(html)
+    page = os.path.join(html, "gallery.html")
+    with open(page, "w", encoding="utf-8") as file:
+        file.write('<html><body><div><img src="dam_break_space.png" alt=""/></div></body></html>')
+    for _ in range(2):  # the second time changes nothing
+        subprocess.run([sys.executable, GALLERY, folder, run], check=True, capture_output=True)
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        assert text.count('<a class="turn" href="view-dam-break.html"><img') == text.count("<script") == 1, text
+    body, _ = seen(program, folder, os.path.join(html, "view-dam-break.html"))
+    assert body["drawn"] == str(counts[0] + walls), body
+    with open(page, "w", encoding="utf-8") as file:
+        file.write(text.replace("</body>", "<script>document.querySelector('a.turn').click();</script></body>"))
+    text = chromium(program, folder, page, "--dump-dom")
+    assert re.search(r'<iframe src="[^"]*view-dam-break.html#playing&amp;paper=light"', text), text
+    for arguments, said in (((folder, os.path.join(folder, "out-space")), "has no view of out-space"),
+                            ((folder, os.path.join(folder, "none", "out-sponge")), "make it: build/sponge --quick")):
+        done = subprocess.run([sys.executable, GALLERY, *arguments], capture_output=True, text=True)
+        assert done.returncode == 1 and done.stderr.startswith("gallery.py: ") and said in done.stderr, done.stderr
+
+
 def page_of(run, folder, name, *arguments):
     page = os.path.join(folder, name + ".html")
     view(run, "-o", page, *arguments)
@@ -193,6 +223,7 @@ def main():
         print("skipped: there is no Chromium to open the pages with; sh tools/install_packages.sh browser")
         sys.exit(SKIPPED)
     look_at_pages(program, folder, run, counts, walls, plane, plane_counts, plane_walls)
+    put_into_a_gallery(program, folder)
     print("pages opened in", folder)
 
 
