@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cloud.hpp"
+#include "working.hpp"
 
 #include <imbibe/solver/solver.hpp>
 #include <imbibe/time/symplectic_euler.hpp>
@@ -38,13 +39,5 @@ auto block(const Phase& phase, int particles, double support) {
 }
 template <class Real, class Phase>
 using Block = typename Solver<3, Real, SymplecticEuler, Phase>::Engine;
-
-/// The mean number of neighbours in an engine's first list of neighbours.
-double neighbours_in(const auto& engine) {
-    double mean = 0;
-    for (const auto& link : engine.links)
-        mean = mean > 0 ? mean : engine.mean_neighbours(link);
-    return mean;
-}
 
 } // namespace imbibe::bench

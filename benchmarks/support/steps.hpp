@@ -2,30 +2,15 @@
 #pragma once
 
 #include "measure.hpp"
+#include "working.hpp"
 
 #include <imbibe/core/fields.hpp>
 
-#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace imbibe::bench {
-
-/// How many particles of a phase a step has work for: all that move, and of a wall those that have others within reach.
-template <class Phase, class Engine>
-double working(const Engine& engine, int particles) {
-    if constexpr (Phase::moves)
-        return particles;
-    std::vector<char> works(static_cast<std::size_t>(particles));
-    engine.for_each_link([&]<class Between>(Between, const auto& link) {
-        if constexpr (std::is_same_v<typename Between::A, Phase>)
-            for (int i = 0; i < particles; ++i)
-                if (const auto runs = link.runs[i]; runs.begin() != runs.end())
-                    works[static_cast<std::size_t>(i)] = 1;
-    });
-    return static_cast<double>(std::count(works.begin(), works.end(), 1));
-}
 
 /// Takes steps of the scene that `make(size, threads)` returns, both from the benchmark's arguments.
 /// Counters: `particle`, the time per step and particle that the step has work for, and `moving`, per particle that is
@@ -63,10 +48,7 @@ void steps(benchmark::State& state, Make make) {
     state.counters["searched"] = searches / static_cast<double>(state.iterations());
     state.counters["bytes"] = static_cast<double>(scene.engine().particle_bytes()) / n;
     state.counters["list_bytes"] = static_cast<double>(scene.engine().list_bytes()) / n;
-    double neighbours = 0;
-    for (const auto& link : scene.engine().links)
-        neighbours = neighbours > 0 ? neighbours : scene.engine().mean_neighbours(link);
-    state.counters["neighbours"] = neighbours;
+    state.counters["neighbours"] = neighbours_in(scene.engine());
 }
 
 /// Registers the benchmark `name` for each size, on one thread (CPU time) and on two (real time).
