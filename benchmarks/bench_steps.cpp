@@ -4,12 +4,11 @@
 //   build-benchmark/benchmarks/bench_steps
 //   build-benchmark/benchmarks/bench_steps --benchmark_filter='dam_break/float/100000'
 #include "support/cloud.hpp"
+#include "support/dam_break.hpp"
 #include "support/fluid.hpp"
 #include "support/steps.hpp"
 
-#include <imbibe/geometry/tank.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
-#include <imbibe/methods/weakly_compressible.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
 #include <imbibe/solver/solver.hpp>
@@ -31,32 +30,6 @@ struct Cube {
                      .search_interval = search_interval,
                      .threads = threads});
         scene.add(bench::water<bench::Water>(), bench::cube(particles), bench::spacing);
-        return scene;
-    }
-};
-
-/// The scene of examples/dam_break.cpp, in any size. The water already runs, at its front with the 2 sqrt(g height)
-/// that it may come to: the slower it is, the more steps a search serves.
-struct Water : Fluid<Tait<7>, WeaklyCompressible<K>, MonaghanViscosity<K>> {};
-struct Tank : Wall<> {};
-struct TankSides : CouplingOf<Water, Tank> {};
-template <class Real, int search_interval = 100>
-struct DamBreak {
-    using Scene = Solver<3, Real, SymplecticEuler, Water, Tank, TankSides>;
-    static Scene make(int particles, int threads) {
-        const double dx = std::cbrt(0.5 * 0.3 * 0.5 / particles);
-        Scene scene({.gravity = {0, 0, -9.81},
-                     .support_radius = 2.6 * dx,
-                     .search_interval = search_interval,
-                     .search_skin = 0.1, // for an interval above 1
-                     .threads = threads});
-        Water water{{.density = 1000, .sound_speed = 45}};
-        water.set(MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
-        const auto column = scene.add(water, fill(Box<3>({0, 0, 0}, {0.5, 0.3, 0.5}), dx), dx);
-        const double front = 2 * std::sqrt(9.81 * 0.5);
-        for (int i = 0; i < scene[column].size(); ++i)
-            scene[column][velocity](i, 0) = static_cast<Real>(front * scene[column][position](i, 0) / 0.5);
-        scene.add(Tank{{.density = 1000}}, tank(Box<3>({0, 0, 0}, {1.6, 0.3, 0.8}), dx, 3, Sides::z_high), dx);
         return scene;
     }
 };
@@ -93,8 +66,8 @@ void add_all() {
     add("cube_searched_in_1_of_4", Cube<Real, 4>{}, 12);
     if (std::is_same_v<Real, float>) // 2.6 GB
         bench::add_steps<typename Cube<Real>::Scene>("cube/float", Cube<Real>::make, {10'000'000});
-    add("dam_break", DamBreak<Real>{}, 12);
-    add("dam_break_searched_in_every_step", DamBreak<Real, 1>{});
+    add("dam_break", bench::DamBreak<Real>{}, 12);
+    add("dam_break_searched_in_every_step", bench::DamBreak<Real, 1>{});
     add("column", Column<Real, Rubber>{});
     add("column_of_law_alone", Column<Real, LawAlone>{});
 }

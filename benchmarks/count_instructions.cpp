@@ -7,6 +7,7 @@
 //   build-benchmark/benchmarks/count_instructions            the names of the cases
 //   valgrind --tool=callgrind --toggle-collect=measured build-benchmark/benchmarks/count_instructions fluid_step_float
 #include "support/block.hpp"
+#include "support/dam_break.hpp"
 #include "support/fluid.hpp"
 #include "support/hand_fluid.hpp"
 #include "support/hand_solid.hpp"
@@ -24,6 +25,7 @@ namespace {
 
 using namespace imbibe;
 using bench::count;
+using bench::DamBreak;
 using bench::Water;
 using K = WendlandC2;
 
@@ -112,6 +114,24 @@ double step(const Phase& phase) {
     return engine.template state<Phase>().size();
 }
 
+/// Whole steps of the dam break, of which one in four searches.
+template <class Real>
+double dam_break() {
+    auto scene = DamBreak<Real, 4>::make(particles, 1);
+    constexpr int steps = 4;
+    for (int k = 0; k < steps; ++k)
+        scene.step();
+    count([&] {
+        for (int k = 0; k < steps; ++k)
+            scene.step();
+    });
+    double working = 0;
+    scene.engine().for_each_phase([&]<class P>(std::type_identity<P>, const auto& phase) {
+        working += bench::working<P>(scene.engine(), phase.size());
+    });
+    return steps * working;
+}
+
 template <class Real>
 void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
     cases["kernels_" + real] =
@@ -127,6 +147,7 @@ void add(std::map<std::string, double (*)()>& cases, const std::string& real) {
     cases["hypoelastic_loops_" + real] = [] { return loops<Real>(bench::rubber<bench::Hypoelastic>()); };
     cases["hypoelastic_loops_by_hand_" + real] = solid_by_hand<Real>;
     cases["fluid_step_" + real] = [] { return step<Real>(bench::water<Water>()); };
+    cases["dam_break_step_" + real] = dam_break<Real>;
     cases["solid_step_" + real] = [] { return step<Real>(bench::rubber<Rubber>()); };
 }
 

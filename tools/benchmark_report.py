@@ -21,6 +21,7 @@ import sys
 import benchmark_results as results
 import compare_counts
 import count_instructions
+import serial_share
 from picture_style import CURVES, DASHES, plt, save
 
 REALS = ("float", "double")
@@ -57,6 +58,11 @@ def bar_of_instructions(real, ratio):
     return bar_row(f"fluid in one sweep over the loop by hand, instructions, {real}", 1.03, ratio)
 
 
+def all_counts(program):
+    """What count_instructions.py counts, and under "threads" the rows of serial_share.py."""
+    return count_instructions.counts_of(program) | {"threads": serial_share.rows_of(program)}
+
+
 def section_of_instructions(build, counts):
     """Lines of the section of instructions."""
     found = counts["counts"]
@@ -70,7 +76,14 @@ def section_of_instructions(build, counts):
         f"```sh\npython3 tools/count_instructions.py {os.path.basename(os.path.normpath(build))}"
         "/benchmarks/count_instructions -o counts.json\n```", "",
         *table(["work", *REALS], [[case.replace("_", " "), *(number(f"{case}_{real}") for real in REALS)]
-                                  for case in cases])]
+                                  for case in cases]),
+        "## More threads", "",
+        "What threads can bring at most, by the share of the instructions that one thread does alone (Amdahl), for "
+        "steps of 8,000 particles in float; larger scenes have a smaller share. All threads wait at the end of each "
+        "parallel loop, for some microseconds.", "",
+        f"```sh\npython3 tools/serial_share.py {os.path.basename(os.path.normpath(build))}"
+        "/benchmarks/count_instructions\n```", "",
+        *table(serial_share.HEAD, counts["threads"])]
 
 
 def write_counts(page, build, counts, commit):
@@ -443,7 +456,7 @@ def main():
     if arguments.counts:
         with open(arguments.output) as file:
             page = file.read()
-        page = write_counts(page, arguments.build, count_instructions.counts_of(program), results.commit())
+        page = write_counts(page, arguments.build, all_counts(program), results.commit())
         with open(arguments.output, "w") as file:
             file.write(page)
         print(f"wrote {arguments.output}")
@@ -460,7 +473,7 @@ def main():
                 results.run(arguments.clang, clang_folder, arguments.quick, "bench_sweep")
         if not arguments.only:
             print("count_instructions ...", flush=True)
-            counts = count_instructions.counts_of(program)
+            counts = all_counts(program)
             with open(os.path.join(folder, "counts.json"), "w") as file:
                 json.dump(counts, file, indent=4)
     Report(arguments).write()

@@ -71,9 +71,10 @@ IMBIBE_PER_BUILD inline int available_threads() {
 
 /// Calls f(k) for k = 0 ... n-1 in any order, on up to `threads` threads that begin at even distances. f must not write
 /// what another call reads. The first exception thrown by a call is rethrown; with several threads, after all are done.
-/// f runs with denormal numbers taken as zero.
+/// f runs with denormal numbers taken as zero. Not inlined, so that a profile tells what threads share and what they do
+/// not (tools/serial_share.py).
 template <class F>
-IMBIBE_PER_BUILD void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
+[[gnu::noinline]] IMBIBE_PER_BUILD void parallel_for(int n, [[maybe_unused]] int threads, const F& f) {
 #ifdef _OPENMP
     if (threads > 1 && n > 1) {
         std::exception_ptr failure;

@@ -6,6 +6,7 @@
 #include <imbibe/presets/sponge_case.hpp>
 #include <imbibe/solid/clamped.hpp>
 #include <imbibe/solid/total_lagrangian.hpp>
+#include <imbibe/time/subcycled.hpp>
 
 namespace imbibe::presets {
 
@@ -13,17 +14,19 @@ namespace imbibe::presets {
 /// and Adams 2012) instead of by K_f, which remains as a guard over less than a spacing. It is a total-Lagrangian
 /// neo-Hookean solid with corrected gradients and hourglass control. Sound speed: ten times the speed of the fall. The
 /// sponge has a support of its own, 2 spacings: with 2.6 a plate of ten layers swings 5 % too slowly, and costs twice
-/// as much. Its Young's modulus is corrected for its few layers (bending_modulus).
+/// as much. Its Young's modulus is corrected for its few layers (bending_modulus). It takes short steps of its own, so
+/// that its spacing, which is finer than the water's, does not make those of the water short.
 struct SoundSponge : SoundWater {
     static constexpr const char* name = "sound";
-    struct Sponge : Solid<TotalLagrangianSolid<CompressibleNeoHookean, K>, TotalLagrangianViscosity<K>, Clamped> {};
+    struct Sponge : Solid<TotalLagrangianSolid<CompressibleNeoHookean, K>, TotalLagrangianViscosity<K>, Clamped,
+                          TimeAveragedMotion> {};
     /// Takes its coefficients from set_coefficients(), as Water and Sides.
     struct Contact : Coupling<Water, Sponge, Into<Sponge, PressureExtrapolation<K>>, VolumePressure<K>,
                               Into<Water, VolumeContinuity<K>>, KernelRepulsion<Spiky>> {};
 
     /// The scene.
     template <class Real>
-    using Scene = Solver<3, Real, SymplecticEuler, Water, Sponge, Vessel, Contact, Sides>;
+    using Scene = Solver<3, Real, Subcycled<Sponge>, Water, Sponge, Vessel, Contact, Sides>;
 
     /// Throws Error for a number of the case that is out of range, a Poisson's ratio above that of its law included.
     static void check(const SpongeCase& c) {
@@ -69,10 +72,11 @@ struct SoundSponge : SoundWater {
 
 /// The parts of `SoundSponge::Scene<Real>` that take long to compile (compiled_scene.hpp).
 #define IMBIBE_SOUND_SPONGE_FUNCTIONS(linkage, Real)                                                                   \
-    IMBIBE_SCENE_FUNCTIONS(                                                                                            \
-        linkage, imbibe::Solver<3, Real, imbibe::SymplecticEuler, imbibe::presets::SoundSponge::Water,                 \
-                                imbibe::presets::SoundSponge::Sponge, imbibe::presets::SoundSponge::Vessel,            \
-                                imbibe::presets::SoundSponge::Contact, imbibe::presets::SoundSponge::Sides>);          \
+    IMBIBE_SCENE_FUNCTIONS(linkage,                                                                                    \
+                           imbibe::Solver<3, Real, imbibe::Subcycled<imbibe::presets::SoundSponge::Sponge>,            \
+                                          imbibe::presets::SoundSponge::Water, imbibe::presets::SoundSponge::Sponge,   \
+                                          imbibe::presets::SoundSponge::Vessel, imbibe::presets::SoundSponge::Contact, \
+                                          imbibe::presets::SoundSponge::Sides>);                                       \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundSponge::Water, imbibe::presets::SoundSponge::Scene<Real>);   \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundSponge::Sponge, imbibe::presets::SoundSponge::Scene<Real>);  \
     IMBIBE_PHASE_FUNCTIONS(linkage, imbibe::presets::SoundSponge::Vessel, imbibe::presets::SoundSponge::Scene<Real>)

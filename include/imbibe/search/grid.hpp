@@ -12,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -251,26 +252,71 @@ private:
 class IMBIBE_PER_BUILD CellTable {
 public:
     /// Counting sort by cell, stable. Afterwards `order()[k]` is the present index of the particle that belongs at k.
-    /// Returns whether the points are sorted already.
+    /// Returns whether the points are sorted already. Threads share the points in blocks, then the cells in stretches;
+    /// the result does not depend on their number.
     template <int dim, class Real>
     bool sort(const Grid<dim>& grid, const Points<dim, Real>& points, int threads) {
-        const std::size_t cells = grid.cells();
-        keys.resize(static_cast<std::size_t>(points.n));
-        parallel_blocks(points.n, 4096, threads, [&](int begin, int end) {
-            grid.find_cells(points, begin, end, keys.data());
+        const auto n = static_cast<std::size_t>(points.n);
+        const std::size_t cells = grid.cells(), parts = threads > 2 ? 4 * static_cast<std::size_t>(threads) : 1;
+        int shift = 0; // a stretch is 2^shift cells
+        while ((cells - 1) >> shift >= parts)
+            ++shift;
+        const auto for_each_part = [&](const auto& f) {
+            parallel_for(static_cast<int>(parts), threads, [&](int p) { f(static_cast<std::size_t>(p)); });
+        };
+        const auto block = [&](std::size_t p) { return n * p / parts; };
+        keys.resize(n);
+        places.assign(parts * parts + 1, 0); // of each stretch, how many points each block has; then where they go
+        places[0] = static_cast<std::uint32_t>(parts > 1 ? 0 : n);
+        for_each_part([&](std::size_t p) {
+            grid.find_cells(points, static_cast<int>(block(p)), static_cast<int>(block(p + 1)), keys.data());
+            for (std::size_t i = block(p); i < block(p + 1) && parts > 1; ++i)
+                ++places[(keys[i] >> shift) * parts + p];
         });
-        start_.assign(cells + 1, 0);
-        for (std::uint32_t k : keys)
-            ++start_[k + 1];
-        for (std::size_t c = 0; c < cells; ++c)
-            start_[c + 1] += start_[c];
-        if (std::is_sorted(keys.begin(), keys.end()))
-            return true;
-        order_.resize(static_cast<std::size_t>(points.n));
-        next = start_;
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            order_[next[keys[i]]++] = static_cast<std::uint32_t>(i);
-        return false;
+        const bool sorted = parallel_reduce(
+            points.n, threads, true,
+            [&](int begin, int end) {
+                return std::is_sorted(keys.begin() + begin, keys.begin() + (end < points.n ? end + 1 : end));
+            },
+            [](bool one, bool other) { return one && other; });
+        std::exclusive_scan(places.begin(), places.end(), places.begin(), std::uint32_t{0});
+        std::vector<std::uint32_t> begins(parts + 1); // of the stretches, among the sorted points
+        for (std::size_t r = 0; r <= parts; ++r)
+            begins[r] = places[r * parts];
+        const bool dealt = parts > 1 && !sorted; // do stretches have lists of their points?
+        if (dealt) {
+            by_stretch.resize(n);
+            for_each_part([&](std::size_t p) {
+                for (std::size_t i = block(p); i < block(p + 1); ++i)
+                    by_stretch[places[(keys[i] >> shift) * parts + p]++] = static_cast<std::uint32_t>(i);
+            });
+        }
+        start_.resize(cells + 1);
+        if (!sorted) {
+            next.resize(cells);
+            order_.resize(n);
+        }
+        for_each_part([&](std::size_t r) {
+            const auto for_each_point = [&](const auto& f) {
+                for (std::uint32_t k = begins[r]; k < begins[r + 1]; ++k)
+                    f(dealt ? by_stretch[k] : k);
+            };
+            const std::size_t first = std::min(r << shift, cells), last = std::min((r + 1) << shift, cells);
+            std::fill(start_.begin() + static_cast<std::ptrdiff_t>(first),
+                      start_.begin() + static_cast<std::ptrdiff_t>(last), 0U);
+            for_each_point([&](std::uint32_t i) { ++start_[keys[i]]; });
+            std::uint32_t before = begins[r];
+            for (std::size_t c = first; c < last; ++c)
+                before += std::exchange(start_[c], before);
+            if (!sorted) {
+                std::copy(start_.begin() + static_cast<std::ptrdiff_t>(first),
+                          start_.begin() + static_cast<std::ptrdiff_t>(last),
+                          next.begin() + static_cast<std::ptrdiff_t>(first));
+                for_each_point([&](std::uint32_t i) { order_[next[keys[i]]++] = i; });
+            }
+        });
+        start_[cells] = static_cast<std::uint32_t>(n);
+        return sorted;
     }
     /// The sorted order, as of the last `sort` that returned false.
     const std::vector<std::uint32_t>& order() const { return order_; }
@@ -278,7 +324,7 @@ public:
     std::uint32_t start(std::size_t cell) const { return start_[cell]; }
 
 private:
-    std::vector<std::uint32_t> keys, order_, start_, next;
+    std::vector<std::uint32_t> keys, order_, start_, next, places, by_stretch;
 };
 
 } // namespace imbibe::search

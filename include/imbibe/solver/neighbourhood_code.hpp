@@ -204,8 +204,12 @@ void Neighbourhood<dim, Real>::choose_frame() {
         for (int d = 0; d < dim; ++d)
             (s.row->moves ? of_others : of_walls)[d] += s.size() * now.mean[static_cast<std::size_t>(d)];
         (s.row->moves ? others : walls) += s.size();
-        if (const Real* const free = s.column_if(s.row->mobility))
-            held = held || std::find(free, free + s.size(), Real(0)) != free + s.size();
+        if (const Real* const free = s.column_if(s.row->mobility); free != nullptr && !held) {
+            const auto block = [&](int begin, int end) {
+                return std::find(free + begin, free + end, Real(0)) != free + end ? 1.0 : 0.0;
+            };
+            held = greatest_of_blocks(s.size(), this->threads, Callable<double(int, int)>(block)) > 0;
+        }
     }
     this->frame = Vector<double, dim>{};
     if (!held && walls + others > 0)
@@ -246,8 +250,11 @@ void Neighbourhood<dim, Real>::wrap(Phase& s) const {
         const Real low = static_cast<Real>(this->periodic.lower[k]),
                    length = static_cast<Real>(this->periodic.length[k]);
         Real* const x = s.column(s.row->position + d);
-        for (int i = 0; i < s.size(); ++i)
-            x[i] = search::into_period(x[i], low, length);
+        const auto block = [&](int begin, int end) {
+            for (int i = begin; i < end; ++i)
+                x[i] = search::into_period(x[i], low, length);
+        };
+        loop_blocks(s.size(), 4096, this->threads, Callable<void(int, int)>(block));
     }
 }
 

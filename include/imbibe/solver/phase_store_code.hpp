@@ -36,9 +36,12 @@ void PhaseStore<dim, Real>::reorder(const std::vector<std::uint32_t>& order, int
     std::memcpy(spare.data(), ids.data(), ids.size() * sizeof(ids[0])); // what `spare` held is of no use any more
     const auto* const before = reinterpret_cast<const std::byte*>(spare.data());
     ids.resize(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        std::memcpy(&ids[i], before + order[i] * sizeof(ids[0]), sizeof(ids[0]));
+    const auto block = [&](int begin, int end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            std::memcpy(&ids[i], before + order[i] * sizeof(ids[0]), sizeof(ids[0]));
+    };
     n = static_cast<int>(order.size());
+    loop_blocks(n, 4096, threads, Callable<void(int, int)>(block));
     pad();
     if (row->keeps_reference()) // it stays in this order: no other one is made
         AlignedVector<Real>().swap(spare);
