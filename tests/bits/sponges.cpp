@@ -1,5 +1,5 @@
-// The two compositions of the sponge on a strip with a pool, in float and double: sub-cycling is off, the paper's has
-// neighbours that serve several steps.
+// The two compositions of the sponge on a strip with a pool, in float and double: the sound one's solid takes short
+// steps of its own, and neighbours serve several steps.
 #include "bits.hpp"
 
 #include <imbibe/presets/sponge.hpp>

@@ -114,10 +114,10 @@ Cloud<C::dim, typename C::Real> hollow(int sides) {
 
 } // namespace
 
-#define EVERY_CASE (Case<2, float>), (Case<2, double>), (Case<3, float>), (Case<3, double>)
+#define LATTICE_CASES (Case<2, float>), (Case<2, double>), (Case<3, float>), (Case<3, double>)
 
 TEMPLATE_TEST_CASE("Stencils have every pair once, and take fewer packs on a lattice", "[search][stencils]",
-                   EVERY_CASE) {
+                   LATTICE_CASES) {
     for (const double supports : {2.0, 2.6}) {
         auto cloud = block<TestType>(TestType::dim == 2 ? 25 : 11);
         shuffle<TestType>(cloud, 3);
@@ -131,21 +131,21 @@ TEMPLATE_TEST_CASE("Stencils have every pair once, and take fewer packs on a lat
 }
 
 TEMPLATE_TEST_CASE("Stencils have every pair once where rows have different lengths", "[search][stencils]",
-                   EVERY_CASE) {
+                   LATTICE_CASES) {
     const Made<TestType> made(hollow<TestType>(TestType::dim == 2 ? 25 : 12), 0.26, 0.1);
     CHECK(made.wrong_runs == 0);
     CHECK(made.wrong_pairs == 0);
     CHECK(made.beyond == 0);
 }
 
-TEMPLATE_TEST_CASE("Points off a lattice have runs, but for a few packs", "[search][stencils]", EVERY_CASE) {
+TEMPLATE_TEST_CASE("Points off a lattice have runs, but for a few packs", "[search][stencils]", LATTICE_CASES) {
     const Made<TestType> made(random_cloud<TestType::dim, typename TestType::Real>(700, 0.0, 1.0, 5), 0.17, 0.1);
     CHECK(made.wrong_runs == 0);
     CHECK(made.wrong_pairs == 0);
     CHECK(made.packs < 700 / TestType::width / 8 + 1);
 }
 
-TEMPLATE_TEST_CASE("Stencils have pairs through periodic sides once", "[search][stencils]", EVERY_CASE) {
+TEMPLATE_TEST_CASE("Stencils have pairs through periodic sides once", "[search][stencils]", LATTICE_CASES) {
     const int sides = TestType::dim == 2 ? 24 : 10;
     Periodic<TestType::dim> periodic;
     periodic.lower[0] = 0.25;
@@ -159,7 +159,7 @@ TEMPLATE_TEST_CASE("Stencils have pairs through periodic sides once", "[search][
 }
 
 TEMPLATE_TEST_CASE("Fixed lists depend neither on the given order nor on the number of threads", "[search][stencils]",
-                   EVERY_CASE) {
+                   LATTICE_CASES) {
     auto cloud = hollow<TestType>(TestType::dim == 2 ? 60 : 16);
     const Made<TestType> one(cloud, 0.2, 0.1);
     shuffle<TestType>(cloud, 7);
