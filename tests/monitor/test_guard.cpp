@@ -179,6 +179,12 @@ TEST_CASE("A guard names the particle that is wrong", "[guard]") {
         CHECK(error.cause == sph::Cause::not_finite);
         CHECK_THAT(error.what(), contains("particle " + wrong + " of phase"));
     }
+    SECTION("not a number, at a glance, with nothing fast") {
+        view[sph::velocity](i, 1) = std::numeric_limits<float>::quiet_NaN();
+        scene.step(1e-5);
+        const auto error = thrown_by([&] { sph::Guard<2>({.interval = 1000})(scene); });
+        CHECK(error.cause == sph::Cause::not_finite);
+    }
     SECTION("faster than sound") {
         view[sph::velocity](i, 0) = 70;
         scene.step();

@@ -341,6 +341,8 @@ TEST_CASE("The estimate of the wall time steps a copy, and is nothing for nothin
     CHECK(sph::estimate_wall_seconds(scene, 1) > 0);
     CHECK(sph::estimate_wall_seconds(scene, scene.time()) == 0);
     CHECK(scene.steps() == 0);
+    scene.get<Water>()[sph::velocity](3, 0) = 1e35f; // the first step is the last that can be taken
+    CHECK(sph::estimate_wall_seconds(scene, 1) == 0);
 }
 
 } // namespace reports_test

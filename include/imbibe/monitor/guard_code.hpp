@@ -137,9 +137,15 @@ template <class Real>
 void Guard<dim>::glance(const Run<Real>& scene) const {
     for (const Phase<Real>& s : scene.scene_engine().phases) {
         const double sound = s.numbers().sound_speed, most = settings_.speed * sound, fastest = s.motion.speed;
-        if (!s.row->moves || s.size() == 0 || !(most > 0 && fastest > most))
+        if (!s.row->moves || s.size() == 0)
+            continue;
+        const bool too_fast = most > 0 && fastest > most;
+        const auto& mean = s.motion.mean; // not a number if a velocity is none, which no comparison notices
+        if (!too_fast && std::isfinite(mean[0] + mean[1] + mean[2]))
             continue;
         require_finite(scene, s, s.row->field_at(s.row->velocity));
+        if (!too_fast)
+            continue;
         int found = 0;
         double greatest = -1;
         for (int i = 0; i < s.size(); ++i) {
