@@ -80,7 +80,7 @@ def section_of_instructions(build, counts):
         "## More threads", "",
         "What threads can bring at most, by the share of the instructions that one thread does alone (Amdahl), for "
         "steps of 8,000 particles in float; larger scenes have a smaller share. All threads wait at the end of each "
-        "parallel loop, for some microseconds.", "",
+        "parallel loop.", "",
         f"```sh\npython3 tools/serial_share.py {os.path.basename(os.path.normpath(build))}"
         "/benchmarks/count_instructions\n```", "",
         *table(serial_share.HEAD, counts["threads"])]
