@@ -23,20 +23,18 @@ using Preset = presets::SoundSponge;
 using Water = Preset::Water;
 using Sponge = Preset::Sponge;
 using Vessel = Preset::Vessel;
-using Walls = Preset::Sides; // water and vessel
+using Contact = Preset::Contact; // water and sponge
+using Walls = Preset::Sides;     // water and vessel
 
 presets::SpongeCase strip(double gap) {
     return {.water_spacing = 0.7e-3, .gap = gap, .search_interval = 1, .strip = true, .pool = 5e-3, .threads = 1};
 }
-auto together(double gap) {
-    return Preset::make<float>(strip(gap));
-}
-/// What `together` has of the phases listed, without the others.
+/// Of the preset's scene the phases and couplings listed, all of which take the same steps.
 /// @param twice does it have the vessel a second time, 10 cm above the first?
 template <class... Items>
 auto alone(double gap, bool twice = false) {
     const auto c = strip(gap);
-    auto whole = together(gap);
+    auto whole = Preset::make<float>(c);
     Solver<3, float, SymplecticEuler, Items...> scene(whole.settings());
     const auto copy = [&]<class P>(std::type_identity<P>, const std::vector<Point<3>>& points) {
         if constexpr ((std::is_same_v<P, Items> || ...)) {
@@ -54,7 +52,12 @@ auto alone(double gap, bool twice = false) {
     copy(std::type_identity<Vessel>{}, walls);
     if constexpr ((std::is_same_v<Walls, Items> || ...))
         scene.template coupling<Walls>() = whole.template coupling<Walls>();
+    if constexpr ((std::is_same_v<Contact, Items> || ...))
+        scene.template coupling<Contact>() = whole.template coupling<Contact>();
     return scene;
+}
+auto together(double gap) {
+    return alone<Water, Sponge, Vessel, Contact, Walls>(gap);
 }
 
 constexpr double dry = 4.5e-3, wet = 0.4e-3; // m of air between water and sponge

@@ -203,8 +203,9 @@ private:
                      ...);
                     store(s, from, sums, Adds{}, [](T lanes) { return lanes; });
                 }
-                if (!in_pack || sizeof...(S) > 1)
-                    one_by_one(from, std::min(from + width, end), in_pack);
+                const int to = std::min(from + width, end);
+                if (!in_pack || ((!S::reference && std::get<k>(sources).any_near(from, to)) || ...))
+                    one_by_one(from, to, in_pack);
             }
         }
     }

@@ -207,6 +207,8 @@ struct SourceData {
     std::array<Vector<Real, dim>, static_cast<std::size_t>(search::image_count<dim>)> images;
     LeastDistances<Real, width> least_distances;
 
+    /// Has any of particles [from, to) of one pack a run?
+    bool any_near(int from, int to) const { return (*runs)[from].begin() != (*runs)[to - 1].end(); }
     /// Of the pack of particles pack * width, pack * width + 1, ...
     search::RunList::Range stencil_of(int pack) const {
         return stencils != nullptr ? (*stencils)[pack] : search::RunList::Range{nullptr, nullptr};
