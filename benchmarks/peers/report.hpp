@@ -2,6 +2,7 @@
 // tools/compare_peers.py reads.
 #pragma once
 
+#include "../../examples/support/arguments.hpp"
 #include "../support/working.hpp"
 
 #include <imbibe/core/error.hpp>
@@ -10,7 +11,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <initializer_list>
 #include <string>
@@ -18,18 +18,6 @@
 #include <type_traits>
 
 namespace imbibe::peers {
-
-/// The number at a place of the command line, the first at 1; `otherwise` where none is given. Throws Error, which
-/// names it and its bounds, for what is no number or not from `low` to `high`.
-inline double number(int argc, char** argv, int place, const char* name, double otherwise, double low, double high) {
-    if (place >= argc)
-        return otherwise;
-    char* end = nullptr;
-    const double value = std::strtod(argv[place], &end);
-    require(end != argv[place] && *end == '\0' && value >= low && value <= high, name, ", '", argv[place],
-            "', must be a number from ", low, " to ", high);
-    return value;
-}
 
 /// Runs one scene: `program float|double [threads] [spacing in mm]`. `run.template operator()<Real>(threads, spacing)`
 /// runs it with a spacing in m. Returns the exit status.
@@ -39,8 +27,9 @@ int main_of(int argc, char** argv, double spacing_mm, double finest_mm, const Ru
         const std::string precision = argc > 1 ? argv[1] : "";
         require(precision == "float" || precision == "double", "the precision, '", precision,
                 "', must be float or double; give it first, then the threads and the spacing in mm");
-        const int threads = static_cast<int>(number(argc, argv, 2, "the number of threads", 1, 1, 1024));
-        const double spacing = 1e-3 * number(argc, argv, 3, "the spacing in mm", spacing_mm, finest_mm, 4 * spacing_mm);
+        const int threads = static_cast<int>(example::number(argv, 2, "the number of threads", 1, 1, 1024));
+        const double spacing =
+            1e-3 * example::number(argv, 3, "the spacing in mm", spacing_mm, finest_mm, 4 * spacing_mm);
         if (precision == "float")
             run.template operator()<float>(threads, spacing);
         else

@@ -258,6 +258,7 @@ public:
     bool sort(const Grid<dim>& grid, const Points<dim, Real>& points, int threads) {
         const auto n = static_cast<std::size_t>(points.n);
         const std::size_t cells = grid.cells(), parts = threads > 2 ? 4 * static_cast<std::size_t>(threads) : 1;
+        // Two threads would win little: they read all points once more, in an order that is scattered at first.
         int shift = 0; // a stretch is 2^shift cells
         while ((cells - 1) >> shift >= parts)
             ++shift;

@@ -14,8 +14,8 @@ void Neighbourhood<dim, Real>::find_reference_neighbours() {
         const auto places = s.points_of(s.row->reference_position);
         require_finite(s, search::bounds_of(places, this->threads));
         const PhaseNumbers numbers = s.numbers();
-        auto lists = search::find_fixed_lists<Base::width>(places, numbers.support_radius, numbers.spacing,
-                                                           this->periodic, this->threads);
+        const auto lists = search::find_fixed_lists<Base::width>(places, numbers.support_radius, numbers.spacing,
+                                                                 this->periodic, this->threads);
         s.reorder(lists.order, this->threads);
         s.note_all_written();
         for (Link& link : links)
