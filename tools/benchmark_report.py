@@ -70,17 +70,15 @@ def section_of_instructions(build, counts):
     number = lambda name: "-" if name not in found else f"{found[name]:,.{0 if found[name] >= 100 else 1}f}"
     return [
         "## Instructions", "",
-        "Instructions per particle (for kernels: per value and gradient), compiled for AVX2 "
-        f"(`-O3 -march=x86-64-v3`, {counts['compiler']}). They do not vary from run to run; "
-        "`tools/compare_counts.py` reports one that has grown.", "",
+        f"Per particle (kernels: per value and gradient), for AVX2 (`-O3 -march=x86-64-v3`, {counts['compiler']}); the "
+        "same in every run. `tools/compare_counts.py` reports one that has grown.", "",
         f"```sh\npython3 tools/count_instructions.py {os.path.basename(os.path.normpath(build))}"
         "/benchmarks/count_instructions -o counts.json\n```", "",
         *table(["work", *REALS], [[case.replace("_", " "), *(number(f"{case}_{real}") for real in REALS)]
                                   for case in cases]),
         "## More threads", "",
-        "What threads can bring at most, by the share of the instructions that one thread does alone (Amdahl), for "
-        "steps of 8,000 particles in float; larger scenes have a smaller share. All threads wait at the end of each "
-        "parallel loop.", "",
+        "The greatest speed-up by the share of instructions that one thread does alone (Amdahl), 8,000 particles, "
+        "float. Larger scenes have a smaller share. All threads wait at the end of each parallel loop.", "",
         f"```sh\npython3 tools/serial_share.py {os.path.basename(os.path.normpath(build))}"
         "/benchmarks/count_instructions\n```", "",
         *table(serial_share.HEAD, counts["threads"])]
@@ -139,14 +137,14 @@ class Report:
         presets = "presets `benchmark` and `benchmark-clang`" if self.clang else "preset `benchmark`"
         self.lines += [
             "# Speed", "",
-            f"Written by `python3 tools/benchmark_report.py{options}`, with the programs of the {presets}.", "",
+            f"Written by `python3 tools/benchmark_report.py{options}`, with the {presets}.", "",
             f"- Processor: {results.machine()}",
             f"- Compiler: {results.compiler(self.build)}",
             f"- imbibe: {self.commit}",
-            f"- Processors that other programs kept busy: {min(others):.2f} to {max(others):.2f} on average, by program"
-            if others else "- Processors that other programs kept busy: unknown", "",
-            "Times of one thread are CPU times, those of two threads wall times: the least of "
-            f"{'one repetition' if self.quick else 'five repetitions'}{self.rounds_in_words()}.",
+            f"- Processors busy with other programs: {min(others):.2f} to {max(others):.2f}"
+            if others else "- Processors busy with other programs: unknown",
+            "- Times: CPU time of one thread, wall time of two; the least of "
+            f"{'one repetition' if self.quick else 'five repetitions'}{self.rounds_in_words()}",
             ""]
         if others and max(others) > 0.2:
             self.lines += ["**The machine was busy: trust ratios, not the numbers themselves.**", ""]
@@ -217,17 +215,15 @@ class Report:
         if rows:
             self.lines += [
                 "## Targets", "",
-                "The targets come from prototypes on a processor with two 512-bit units (Sapphire Rapids), not "
-                "from these results. Times in nanoseconds depend on the processor too; ratios are of one run. "
-                "Scenes have about 100,000 particles and a support of 2.6 spacings unless the row says "
-                "otherwise.", ""]
+                "Targets are from prototypes on a Sapphire Rapids processor (two 512-bit units). Scenes have about "
+                "100,000 particles and a support of 2.6 spacings unless the row says otherwise.", ""]
             self.lines += table(["what", "target", "measured", "met"], rows)
 
     def peaks(self):
         self.section("What the machine can do at most", "peaks",
-                     "Multiply-adds in registers, each counted as two operations, and a = b + s c over arrays far "
-                     "larger than the caches. Fractions below are of these. If two threads multiply less than twice "
-                     "as much as one, the machine's two processors are not two cores, or other programs use them.")
+                     "Multiply-adds in registers, each two operations, and a = b + s c over arrays far larger than "
+                     "the caches: the peaks of the fractions below. A speed-up of multiplying below 2 means that the "
+                     "two processors are not two cores, or are in use.")
         rows = []
 
         def row(what, pattern, counter, unit, digits=0):
@@ -245,11 +241,11 @@ class Report:
         reads = [(int(size), one["read"]) for (size,), one in self.matches("peaks", r"read/(\d+)")]
         if reads:
             self.lines += [
-                "Latency of a read at a random place in so much memory, each place known only from the read before: "
-                + ", ".join(f"{size} MiB {time * 1e9:.0f} ns" for size, time in reads) + ". It matters for scenes "
-                "larger than the caches. On a host shared by several machines it varies with the memory a program "
-                "happens to get; repeat `bench_steps --benchmark_filter=cube/float/10000000` to see whether it does "
-                "here.", ""]
+                "Latency of a read whose random place is known only from the read before. It matters for scenes larger "
+                "than the caches. On a shared host it varies: repeat `bench_steps "
+                "--benchmark_filter=cube/float/10000000`.", "",
+                *table(["", *(f"{size} MiB" for size, _ in reads)],
+                       [["latency, ns", *(f"{time * 1e9:.0f}" for _, time in reads)]])]
 
     def steps(self):
         def rows_of(program, pattern, size_name):
@@ -270,12 +266,15 @@ class Report:
                 "two threads, ns", "speed-up", "steps with a search", "neighbours", "bytes per particle",
                 "bytes of its runs", "memory's share"]
         self.section("Whole steps", "bench_steps",
-                     "A cube of water in free fall (continuity, pressure, artificial viscosity; Wendland C2, support "
-                     "of 2.6 spacings); the dam break of the README in other sizes, with its front at its greatest "
-                     "speed; and a total-Lagrangian column, with hourglass control, viscosity and a support of 2 "
-                     "spacings, or with its law alone and 2.3 spacings. A particle-step is a step of a particle that "
-                     "has work: one that moves, or a wall particle with water within reach. Memory's share is the "
-                     "part of the time that reading all stored data once would take at the measured bandwidth.")
+                     "A particle-step is a step of a particle that has work: one that moves, or a wall particle with "
+                     "water within reach. Memory's share is the part of the time that reading all stored data once "
+                     "would take at the measured bandwidth.", "",
+                     "| scene | is |", "|---|---|",
+                     "| cube | water in free fall: continuity, pressure, artificial viscosity; Wendland C2, support of "
+                     "2.6 spacings |",
+                     "| dam break | that of the README in other sizes, its front at its greatest speed |",
+                     "| column | total Lagrangian, with hourglass control, viscosity and a support of 2 spacings |",
+                     "| column of law alone | total Lagrangian, support of 2.3 spacings |")
         self.lines += table(head, rows_of("bench_steps", r"(\w+)/(\w+)/(\d+)", lambda size: ""))
         figure, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
         for k, scene in enumerate(("cube", "dam_break", "column")):
@@ -288,18 +287,19 @@ class Report:
         self.finish(axes, "particles", "time per particle-step (ns)", log=True)
         self.picture("steps.png", figure, "Time per particle-step against the number of particles")
 
-        self.section("The sponge", "bench_sponge", "Strip and full scene; water and sponge are in contact from the start.")
+        self.section("The sponge", "bench_sponge", "Water and sponge are in contact from the start.")
         self.lines += table(head, rows_of("bench_sponge", r"(\w+)/(\w+)/(\d+)",
                                           lambda size: ", strip" if size == "1" else ", full"))
 
     def sweeps(self):
         self.section("Pair loops", "bench_sweep",
-                     "The loops of a step without search and motion. *By hand* is the same work over the same runs "
-                     "without terms, fields and schedule, measured in turns with the library. The library runs this "
-                     "fluid in two sweeps (density rate, then forces from the new density); one sweep has the same "
-                     "pair parts together. Lanes used: the share of lanes with a neighbour or the particle itself. "
-                     "Operations count all lanes, and each addition, multiplication, maximum, quotient and root as "
-                     "one.")
+                     "A step without search and motion. The library runs this fluid in two sweeps (density rate, then "
+                     "forces from the new density); one sweep has the same pair parts together.", "",
+                     "| | |", "|---|---|",
+                     "| by hand | the same work over the same runs without terms, fields and schedule |",
+                     "| lanes used | share of lanes with a neighbour or the particle itself |",
+                     "| of peak arithmetic | counts all lanes, and each addition, multiplication, maximum, quotient "
+                     "and root as one operation |")
         rows = []
         for (kind, real, tenths), row in self.matches("bench_sweep", r"fluid/(\w+)/(\w+)/(\d+)"):
             peak = self.flops.get(real)
@@ -331,10 +331,12 @@ class Report:
 
     def search(self):
         self.section("Neighbours", "bench_search",
-                     "One thread. *Sort*: grid and counting sort; for sorted points, the cost of finding that they "
-                     "are sorted. *Reorder*: one stored number. *Moved* points were sorted one step ago. "
-                     "*Neighbours*: sort, reordering of three coordinates, and runs. nanoflann lists each neighbour "
-                     "separately, from the same points.")
+                     "One thread. *Moved* points were sorted one step ago.", "",
+                     "| operation | is |", "|---|---|",
+                     "| sort | grid and counting sort; for sorted points, finding that they are sorted |",
+                     "| reorder | of one stored number |",
+                     "| neighbours | sort, reordering of three coordinates, and runs |",
+                     "| nanoflann | lists each neighbour separately, from the same points |")
         rows = []
         for (what, order, size, tenths), single in self.matches(
                 "bench_search", r"(sort|reorder|find_runs|neighbours|nanoflann)/float/(\w+)/(\d+)/(\d+)"):
@@ -357,16 +359,15 @@ class Report:
 
     def terms(self):
         self.section("Terms one by one", "bench_terms",
-                     "Single pair terms in a sweep, float, support of 2.6 spacings; [docs/effects.md](effects.md) has "
-                     "all terms as parts of a step. Each number includes what every sweep has (positions, distance, "
-                     "runs), so the numbers do not add up.")
+                     "Single pair terms in a sweep, float, support of 2.6 spacings. Each number includes positions, "
+                     "distance and runs, so they do not add up. [Effects](effects.md) has terms as parts of a step.")
         self.lines += table(["term", "ns per particle", "ns per neighbour"],
                             [[name, ns(row), ns(row, "neighbour", 2)]
                              for name, row in self.rows.get("bench_terms", {}).items()])
 
     def kernels(self):
         self.section("Kernels one by one", "bench_kernels",
-                     "ns for a value or a gradient, one number at a time or in packs of the machine's width.")
+                     "ns, one number at a time or in packs of the machine's width.")
         rows = {}
         for (kernel, what, real, width), row in self.matches("bench_kernels", r"(.+)/(\w+)/(\w+)/(\d+)"):
             rows.setdefault((kernel, what), {})[real, width == "1"] = ns(row, "evaluation", 2)
@@ -381,8 +382,7 @@ class Report:
         if not programs:
             return
         self.section("Pack widths", programs,
-                     "The fluid in two sweeps, 100,000 particles, compiled for instruction sets with different pack "
-                     "widths.")
+                     "The fluid in two sweeps, 100,000 particles.")
         found = {(what, real, int(width)): row for name in programs
                  for (what, real, width), row in self.matches(name, r"(\w+)/(\w+)/(\d+)")}
         parts = ("search", "loops", "step")
