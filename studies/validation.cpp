@@ -1,10 +1,12 @@
 // The reference cases: scenes with numbers from outside (cases/validation/, one case a file), each run at several
-// resolutions. Prints the errors and the order at which they fall, and keeps them in the table of docs/validation_table.md.
+// resolutions. Prints the errors and the order at which they fall, and keeps them in the table of
+// docs/validation_table.md.
 //
 //   build-benchmark/studies/validation couette cylinders            some of them
 //   build-benchmark/studies/validation turek-hron --resolutions 4   coarse only
 //   build-benchmark/studies/validation all --write docs/validation_table.md
 #include <cases/validation/biot.hpp>
+#include <cases/validation/capillary_filling.hpp>
 #include <cases/validation/capillary_rise.hpp>
 #include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
@@ -12,6 +14,7 @@
 #include <cases/validation/cylinders.hpp>
 #include <cases/validation/dam_break_at_wall.hpp>
 #include <cases/validation/dam_break_on_box.hpp>
+#include <cases/validation/drop_in_gas.hpp>
 #include <cases/validation/duct.hpp>
 #include <cases/validation/elastic_baffle.hpp>
 #include <cases/validation/elastic_gate.hpp>
@@ -30,6 +33,7 @@
 #include <cases/validation/plates.hpp>
 #include <cases/validation/porous_spheres.hpp>
 #include <cases/validation/ramp.hpp>
+#include <cases/validation/rayleigh_taylor.hpp>
 #include <cases/validation/report.hpp>
 #include <cases/validation/rising_bubble.hpp>
 #include <cases/validation/sessile_drop.hpp>
@@ -40,6 +44,7 @@
 #include <cases/validation/standing_wave.hpp>
 #include <cases/validation/stefan.hpp>
 #include <cases/validation/stiff_plate.hpp>
+#include <cases/validation/still_layers.hpp>
 #include <cases/validation/still_water.hpp>
 #include <cases/validation/sunken_sponge.hpp>
 #include <cases/validation/taylor_green.hpp>
@@ -66,6 +71,10 @@ int main(int argc, char** argv) {
         {"sessile-drop", "particles over the radius", {12, 24}, sessile_drop::measure},
         {"capillary-rise", "particles between the plates", {12, 24}, capillary_rise::measure},
         {"capillary-tube", "particles across the tube", {8, 12}, capillary_tube::measure},
+        {"capillary-filling", "particles across the slit", {12, 20}, capillary_filling::measure},
+        {"still-layers", "particles over a layer's height", {20, 40}, still_layers::measure},
+        {"rayleigh-taylor", "particles in its length", {32, 64}, rayleigh_taylor::measure},
+        {"drop-in-gas", "particles over the radius", {8, 16}, drop_in_gas::measure},
         {"rising-bubble", "particles over the width", {32, 64}, rising_bubble::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},

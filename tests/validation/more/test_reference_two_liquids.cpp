@@ -1,9 +1,12 @@
 // Two liquids that do not mix: finer; a bubble and water that rise; drops that merge.
+#include <cases/validation/capillary_filling.hpp>
 #include <cases/validation/capillary_rise.hpp>
 #include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
+#include <cases/validation/drop_in_gas.hpp>
 #include <cases/validation/rising_bubble.hpp>
 #include <cases/validation/sessile_drop.hpp>
+#include <cases/validation/still_layers.hpp>
 
 #include <catch_shim.hpp>
 
@@ -40,6 +43,26 @@ TEST_CASE("Water rises in a round tube", "[fluid]") {
     const auto tube = validation::capillary_tube::rise(8, 60);
     CAPTURE(tube.found, tube.exact);
     CHECK(std::abs(tube.found / tube.exact - 1) < 0.15);
+}
+
+TEST_CASE("Water fills a slit at Washburn's speed", "[fluid]") {
+    const double speed = validation::capillary_filling::speed(12, 30), exact = validation::capillary_filling::exact(30);
+    CAPTURE(speed, exact);
+    CHECK(std::abs(speed / exact - 1) < 0.15);
+}
+
+TEST_CASE("A liquid under a gas of a thousandth of its density stays at rest", "[fluid]") {
+    const auto still = validation::still_layers::layers(20, 1);
+    CAPTURE(still.pressure, still.speed);
+    CHECK(still.pressure < 0.12); // of the particles at the interface, two spacings' weight
+    CHECK(still.speed < 0.01);
+}
+
+TEST_CASE("A drop swings in a gas of a thousandth of its density", "[fluid]") {
+    const auto drop = validation::drop_in_gas::swing(8, 1000);
+    CAPTURE(drop.period, drop.pressure);
+    CHECK(std::abs(drop.period - 1) < 0.08);
+    CHECK(std::abs(drop.pressure - 1) < 0.08);
 }
 
 TEST_CASE("Two drops that touch become one, which swings and comes to rest round", "[fluid]") {
