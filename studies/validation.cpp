@@ -37,6 +37,7 @@
 #include <cases/validation/report.hpp>
 #include <cases/validation/rising_bubble.hpp>
 #include <cases/validation/sessile_drop.hpp>
+#include <cases/validation/slotted_sponge.hpp>
 #include <cases/validation/soft_plate.hpp>
 #include <cases/validation/spheres.hpp>
 #include <cases/validation/spinning_plate.hpp>

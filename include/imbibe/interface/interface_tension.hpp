@@ -102,7 +102,7 @@ struct InterfaceTensionParameters {
 ///
 /// docs/validation.md has the accuracy of waves (capillary-wave), drops (sessile-drop) and bubbles (rising-bubble).
 ///
-/// Not for a liquid without a second fluid around it. Not for three fluids that meet: where two interfaces of one fluid
+/// Not for a liquid without a second fluid around it: give it a gas of a hundredth of its density. Not for three fluids that meet: where two interfaces of one fluid
 /// come near each other, it has only one G.
 ///
 /// Source: Lafaurie, Nardone, Scardovelli, Zaleski and Zanetti (1994) for the stress; Hu and Adams (2006), with the

@@ -20,8 +20,8 @@ namespace imbibe::presets {
 /// walls with a given contact angle. They fill their container: there is no free surface. Both have the same spacing.
 /// Choose sound speeds that make rho c^2 of both the same, and c of the heavier one ten times the greatest speed.
 ///
-/// For density ratios up to 10 (docs/validation.md, rising-bubble). With more the sound of the lighter one makes steps
-/// short.
+/// For density ratios up to 1000 (docs/validation.md, drop-in-gas). The sound of the lighter one, c times the root of
+/// the ratio, limits the step.
 struct TwoLiquids {
     /// The kernel of all terms.
     using K = WendlandC2;
