@@ -82,6 +82,23 @@ inline Wave exact() {
     return read_off(times, mode);
 }
 
+/// Two layers of particles, each 1 high and 1 wide, whose interface at y = 0 is shifted by an amplitude times cos(k x),
+/// and all else as a wave of small amplitude moves it.
+struct Layers {
+    std::vector<Eigen::Vector2d> below, above; ///< m
+};
+inline Layers layers(double spacing, double amplitude_of_wave) {
+    Layers found;
+    for (auto x : sph::fill(sph::Box<2>({0, -1}, {1, 1}), spacing)) {
+        const bool is_below = x[1] < 0;
+        const double rise = amplitude_of_wave * std::exp(-k * std::abs(x[1])), phase = k * x[0];
+        x[0] += (is_below ? -rise : rise) * std::sin(phase);
+        x[1] += rise * std::cos(phase);
+        (is_below ? found.below : found.above).push_back(x);
+    }
+    return found;
+}
+
 /// The wave in particles, so many in its length.
 inline Wave wave(double across) {
     const double spacing = 1 / across;
@@ -92,14 +109,7 @@ inline Wave wave(double across) {
     Preset::Oil oil{{.density = 1, .sound_speed = sound, .viscosity = viscosity}};
     Preset::set_coefficients(water, interface, spacing);
     Preset::set_coefficients(oil, interface, spacing);
-    std::vector<Eigen::Vector2d> below, above;
-    for (auto x : sph::fill(sph::Box<2>({0, -1}, {1, 1}), spacing)) {
-        const bool is_below = x[1] < 0;
-        const double rise = amplitude * std::exp(-k * std::abs(x[1])), phase = k * x[0];
-        x[0] += (is_below ? -rise : rise) * std::sin(phase);
-        x[1] += rise * std::cos(phase);
-        (is_below ? below : above).push_back(x);
-    }
+    const auto [below, above] = layers(spacing, amplitude);
     scene.add(water, below, spacing);
     scene.add(oil, above, spacing);
     scene.add(Preset::Vessel{{.density = 1}}, sph::tank(sph::Box<2>({0, -1}, {1, 1}), spacing, 4, sph::Sides::x),

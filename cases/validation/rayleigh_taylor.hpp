@@ -8,11 +8,11 @@
 // Measure: the rate of growth of sum_b V_b v_b cos(k x_b) from t = 0.3 to 1.2.
 #pragma once
 
+#include "capillary_wave.hpp"
 #include "case.hpp"
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/geometry/box.hpp>
-#include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/tank.hpp>
 #include <imbibe/presets/two_liquids.hpp>
 
@@ -43,14 +43,7 @@ inline double growth(double across, double background) {
     Preset::Oil light{{.density = 1, .sound_speed = std::sqrt(stiffness), .viscosity = kinematic}};
     heavy.set(sph::UnderPressureParameters{.background = background * heavier});
     light.set(sph::UnderPressureParameters{.background = background * heavier});
-    std::vector<Eigen::Vector2d> below, above;
-    for (auto x : sph::fill(sph::Box<2>({0, -1}, {1, 1}), spacing)) {
-        const bool is_below = x[1] < 0;
-        const double rise = amplitude * std::exp(-k * std::abs(x[1])), phase = k * x[0];
-        x[0] += (is_below ? -rise : rise) * std::sin(phase);
-        x[1] += rise * std::cos(phase);
-        (is_below ? below : above).push_back(x);
-    }
+    const auto [below, above] = capillary_wave::layers(spacing, amplitude);
     scene.add(heavy, above, spacing);
     scene.add(light, below, spacing);
     scene.add(Preset::Vessel{{.density = heavier, .viscosity = heavier * kinematic}},
