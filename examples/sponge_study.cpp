@@ -3,7 +3,7 @@
 //   build/sponge_study pores                          r = 0.5, 1, 1.5, 2 mm
 //   build/sponge_study support                        h = 1, 1.1, 1.2, 1.3 mm at r = 1.5 mm
 //   build/sponge_study pores --composition paper      the same with the method of the paper, mended
-//   build/sponge_study pores --strip --pool 14 --water-spacing 0.7 --end 0.25   one row of pores: minutes, not hours
+//   build/sponge_study pores --strip --pool 14 --water-spacing 0.7 --end 0.25   one row of pores: a few minutes
 //   build/sponge_study support --repeats 4            each case four times: what of the differences is chance
 //
 // Each run keeps its tables in a folder of its own. A run that is finished is not repeated, one that was interrupted,
