@@ -9,12 +9,9 @@
 #pragma once
 
 #include "case.hpp"
+#include "sessile_drop.hpp"
 
 #include <imbibe/core/error.hpp>
-#include <imbibe/geometry/box.hpp>
-#include <imbibe/geometry/fill.hpp>
-#include <imbibe/geometry/tank.hpp>
-#include <imbibe/presets/two_liquids.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -23,9 +20,9 @@
 namespace validation::drop_in_gas {
 
 namespace sph = imbibe;
-using Preset = sph::presets::TwoLiquids;
+using sessile_drop::Preset;
 
-constexpr double sound = 20, kinematic = 0.01, side = 4, stretch = 1.06;
+constexpr double kinematic = 0.01, side = 4, stretch = 1.06;
 
 /// What the drop does.
 struct Swing {
@@ -36,26 +33,15 @@ struct Swing {
 /// With so many particles over the radius, in a gas of 1/ratio of its density.
 inline Swing swing(double across, double ratio) {
     const double spacing = 1 / across;
-    Preset::Scene<2, double> scene(
-        {.support_radius = 3 * spacing, .cfl = 0.4, .periodic_length = {side, 0}, .threads = 1});
-    const Preset::Interface interface { .surface_tension = 1 };
-    Preset::Water liquid{{.density = 1, .sound_speed = sound, .viscosity = kinematic}};
-    Preset::Oil gas{{.density = 1 / ratio, .sound_speed = sound * std::sqrt(ratio), .viscosity = kinematic / ratio}};
-    Preset::set_coefficients(liquid, interface, spacing);
-    Preset::set_coefficients(gas, interface, spacing);
-    const Eigen::Vector2d middle(0.5 * side, 0.5 * side);
-    std::vector<Eigen::Vector2d> inside, outside;
-    for (const auto& x : sph::fill(sph::Box<2>({0, 0}, {side, side}), spacing))
-        (std::hypot((x[0] - middle[0]) / stretch, (x[1] - middle[1]) * stretch) < 1 ? inside : outside).push_back(x);
-    scene.add(liquid, inside, spacing);
-    scene.add(gas, outside, spacing);
-    scene.add(Preset::Vessel{{.density = 1, .viscosity = kinematic}},
-              sph::tank(sph::Box<2>({0, 0}, {side, side}), spacing, 4, sph::Sides::x), spacing);
-    Preset::set_coefficients(scene, interface);
-    const double radius = spacing * std::sqrt(static_cast<double>(inside.size()) / std::numbers::pi);
+    const sessile_drop::Point middle(0.5 * side, 0.5 * side);
+    auto scene = sessile_drop::drop(
+        {side, side}, spacing, {.viscosity = kinematic, .lighter = ratio}, [&](const sessile_drop::Point& x) {
+            return std::hypot((x[0] - middle[0]) / stretch, (x[1] - middle[1]) * stretch) < 1;
+        });
     const auto drop = scene.get<Preset::Water>();
-    drop[sph::density].array() *= 1 + 1 / (radius * sph::sq(sound));
-    drop[sph::mass].array() *= 1 + 1 / (radius * sph::sq(sound));
+    const double radius = spacing * std::sqrt(static_cast<double>(drop.size()) / std::numbers::pi);
+    drop[sph::density].array() *= 1 + 1 / (radius * sph::sq(sessile_drop::sound));
+    drop[sph::mass].array() *= 1 + 1 / (radius * sph::sq(sessile_drop::sound));
     const double exact = 2 * std::numbers::pi / std::sqrt(6 / ((1 + 1 / ratio) * sph::power<3>(radius)));
 
     Swing seen;
@@ -64,18 +50,8 @@ inline Swing swing(double across, double ratio) {
     int times = 0;
     while (passages.size() < 3 && scene.time() < 3 * exact) {
         scene.step();
-        const auto mean_pressure = [&](const auto& view, double from, double to) {
-            double sum = 0;
-            int count = 0;
-            for (int i = 0; i < view.size(); ++i) {
-                const double r = (view[sph::position].row(i).transpose() - middle).norm();
-                if (r >= from && r < to)
-                    sum += view[sph::pressure](i), ++count;
-            }
-            return sum / count;
-        };
-        seen.pressure +=
-            mean_pressure(scene.get<Preset::Water>(), 0, 0.5) - mean_pressure(scene.get<Preset::Oil>(), 1.5, side);
+        seen.pressure += sessile_drop::mean_pressure(scene.get<Preset::Water>(), middle, 0, 0.5) -
+                         sessile_drop::mean_pressure(scene.get<Preset::Oil>(), middle, 1.5, side);
         ++times;
         const auto x = scene.get<Preset::Water>()[sph::position];
         const auto square = [&](int d) { return (x.col(d).array() - x.col(d).mean()).square().mean(); };

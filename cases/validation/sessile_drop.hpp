@@ -28,14 +28,24 @@ using Preset = sph::presets::TwoLiquids;
 using Scene = Preset::Scene<2, double>;
 using Point = Eigen::Vector2d;
 
-constexpr double pi = std::numbers::pi;
+constexpr double pi = std::numbers::pi, sound = 20;
+
+/// What drops differ in, besides their shape and size.
+struct Kind {
+    double viscosity = 0.1;  ///< of the drop
+    double angle = 0.5 * pi; ///< with the walls, rad
+    double lighter = 1;      ///< times as light is the other liquid, of the same rho c^2 and kinematic viscosity
+    double cfl = 0.4;        ///< the CFL number
+};
 
 /// A drop of water where `in_drop(x)`, in a box that is periodic along x and full of oil.
-inline Scene drop(const Point& size, double spacing, double viscosity, double angle, const auto& in_drop) {
-    Scene scene({.support_radius = 3 * spacing, .cfl = 0.4, .periodic_length = {size[0], 0}, .threads = 1});
-    const Preset::Interface interface { .surface_tension = 1, .contact_angle = angle };
-    Preset::Water water{{.density = 1, .sound_speed = 20, .viscosity = viscosity}};
-    Preset::Oil oil{{.density = 1, .sound_speed = 20, .viscosity = viscosity}};
+inline Scene drop(const Point& size, double spacing, const Kind& kind, const auto& in_drop) {
+    Scene scene({.support_radius = 3 * spacing, .cfl = kind.cfl, .periodic_length = {size[0], 0}, .threads = 1});
+    const Preset::Interface interface { .surface_tension = 1, .contact_angle = kind.angle };
+    Preset::Water water{{.density = 1, .sound_speed = sound, .viscosity = kind.viscosity}};
+    Preset::Oil oil{{.density = 1 / kind.lighter,
+                     .sound_speed = sound * std::sqrt(kind.lighter),
+                     .viscosity = kind.viscosity / kind.lighter}};
     Preset::set_coefficients(water, interface, spacing);
     Preset::set_coefficients(oil, interface, spacing);
     std::vector<Point> inside, outside;
@@ -43,10 +53,22 @@ inline Scene drop(const Point& size, double spacing, double viscosity, double an
         (in_drop(x) ? inside : outside).push_back(x);
     scene.add(water, inside, spacing);
     scene.add(oil, outside, spacing);
-    scene.add(Preset::Vessel{{.density = 1, .viscosity = viscosity}},
+    scene.add(Preset::Vessel{{.density = 1, .viscosity = kind.viscosity}},
               sph::tank(sph::Box<2>({0, 0}, size), spacing, 4, sph::Sides::x), spacing);
     Preset::set_coefficients(scene, interface);
     return scene;
+}
+
+/// The mean pressure of the particles of a view from one distance to another of a point.
+inline double mean_pressure(const auto& view, const Point& centre, double from, double to) {
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < view.size(); ++i) {
+        const double r = std::hypot(view[sph::position](i, 0) - centre[0], view[sph::position](i, 1) - centre[1]);
+        if (r >= from && r < to)
+            sum += view[sph::pressure](i), ++count;
+    }
+    return sum / count;
 }
 
 /// The angle at the rim, rad, of the part of a disc above a line, from its area and the height of its centre of mass.
@@ -64,8 +86,8 @@ inline double angle_of(double area, double height) {
 /// The angle, degrees, that half a disc with so many particles over its radius comes to.
 inline double contact_angle(double across, double degrees) {
     const double spacing = 1 / across;
-    Scene scene =
-        drop({6, 3}, spacing, 0.1, degrees * pi / 180, [](const Point& x) { return std::hypot(x[0] - 3, x[1]) < 1; });
+    Scene scene = drop({6, 3}, spacing, {.angle = degrees * pi / 180},
+                       [](const Point& x) { return std::hypot(x[0] - 3, x[1]) < 1; });
     double sum = 0;
     int times = 0;
     scene.run_until(10, [&](const Scene& s) {
@@ -88,24 +110,14 @@ struct Free {
 inline Free free_drop(double across) {
     const double spacing = 1 / across;
     Scene scene =
-        drop({4, 4}, spacing, 0.01, pi / 2, [](const Point& x) { return std::hypot(x[0] - 2, x[1] - 2) < 1; });
+        drop({4, 4}, spacing, {.viscosity = 0.01}, [](const Point& x) { return std::hypot(x[0] - 2, x[1] - 2) < 1; });
     Free seen;
     int times = 0;
     scene.run_until(6, [&](const Scene& s) {
         if (s.time() < 4)
             return;
-        const auto mean_pressure = [&](const auto& view, double from, double to) {
-            double sum = 0;
-            int count = 0;
-            for (int i = 0; i < view.size(); ++i) {
-                const double r = std::hypot(view[sph::position](i, 0) - 2, view[sph::position](i, 1) - 2);
-                if (r >= from && r < to)
-                    sum += view[sph::pressure](i), ++count;
-            }
-            return sum / count;
-        };
         const auto water = s.get<Preset::Water>();
-        seen.pressure += mean_pressure(water, 0, 0.5) - mean_pressure(s.get<Preset::Oil>(), 1.5, 9);
+        seen.pressure += mean_pressure(water, {2, 2}, 0, 0.5) - mean_pressure(s.get<Preset::Oil>(), {2, 2}, 1.5, 9);
         seen.speed += water[sph::velocity].rowwise().squaredNorm().mean();
         ++times;
     });

@@ -1,4 +1,6 @@
 // Drops of a liquid in another one: one that is left alone for very many steps, and one that hits a soft plate.
+#include <cases/validation/sessile_drop.hpp>
+
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/geometry/tank.hpp>
@@ -30,21 +32,8 @@ double nearest(const auto& view) {
 
 TEST_CASE("A drop keeps its particles apart for 100,000 steps", "[stability]") {
     const double spacing = 1.0 / 6;
-    Preset::TwoLiquids::Scene<2, double> scene(
-        {.support_radius = 3 * spacing, .periodic_length = {4, 0}, .threads = 1});
-    const Preset::Interface interface { .surface_tension = 1 };
-    Preset::Water water{{.density = 1, .sound_speed = 20, .viscosity = 0.03}};
-    Preset::Oil oil{{.density = 1, .sound_speed = 20, .viscosity = 0.03}};
-    Preset::set_coefficients(water, interface, spacing);
-    Preset::set_coefficients(oil, interface, spacing);
-    std::vector<Point> inside, outside;
-    for (const auto& x : sph::fill(sph::Box<2>({0, 0}, {4, 4}), spacing))
-        (std::hypot(x[0] - 2, x[1] - 2) < 1 ? inside : outside).push_back(x);
-    scene.add(water, inside, spacing);
-    scene.add(oil, outside, spacing);
-    scene.add(Preset::Vessel{{.density = 1, .viscosity = 0.03}},
-              sph::tank(sph::Box<2>({0, 0}, {4, 4}), spacing, 4, sph::Sides::x), spacing);
-    Preset::TwoLiquids::set_coefficients(scene, interface);
+    auto scene = validation::sessile_drop::drop({4, 4}, spacing, {.viscosity = 0.03, .cfl = 0.75},
+                                                [](const Point& x) { return std::hypot(x[0] - 2, x[1] - 2) < 1; });
     for (int i = 0; i < 100000; ++i)
         scene.step();
     const auto drop = scene.get<Preset::Water>();
@@ -92,8 +81,8 @@ TEST_CASE("A drop that hits a soft plate bends it, and neither enters it", "[sta
     double between = 1e9;
     for (int i = 0; i < wet.size(); ++i)
         for (int j = 0; j < solid.size(); ++j)
-            between = std::min(between, static_cast<double>(
-                                            (wet[sph::position].row(i) - solid[sph::position].row(j)).norm()));
+            between = std::min(between,
+                               static_cast<double>((wet[sph::position].row(i) - solid[sph::position].row(j)).norm()));
     CAPTURE(deepest / spacing, between / spacing, nearest(wet) / spacing, wet[sph::position].col(1).minCoeff());
     CHECK(deepest > 0.05 * spacing);
     CHECK(deepest < 4 * spacing);

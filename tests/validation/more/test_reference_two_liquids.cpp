@@ -67,7 +67,7 @@ TEST_CASE("A drop swings in a gas of a thousandth of its density", "[fluid]") {
 
 TEST_CASE("Two drops that touch become one, which swings and comes to rest round", "[fluid]") {
     namespace drops = validation::sessile_drop;
-    auto scene = drops::drop({6, 4}, 1.0 / 12, 0.05, drops::pi / 2, [](const drops::Point& x) {
+    auto scene = drops::drop({6, 4}, 1.0 / 12, {.viscosity = 0.05}, [](const drops::Point& x) {
         return std::hypot(std::abs(x[0] - 3) - 0.7, x[1] - 2) < 0.7;
     });
     const auto length_over_height = [&] {
