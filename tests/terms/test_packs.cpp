@@ -38,13 +38,16 @@ std::vector<double> results(const Pair<dim, T>& ab, const R& result, int lane = 
     }
 }
 
-/// A random particle. At a Riemann wall the pressure and what the approach adds to it may cancel but for a rest; so
-/// that the last bits of the two are not compared with that rest, the pressure is positive there.
+/// A random particle. Numbers that may cancel but for a rest are kept apart, so that their last bits are not compared
+/// with that rest: at a Riemann wall the pressure and what the approach adds to it, by a pressure above 0; in pores the
+/// densities rho/n of the fluid itself of a particle and its neighbour, by a neighbour with a quarter of the porosity.
 template <class C, class Material, int dim>
-auto particle_for(Dice& dice, Vector<Number<double>, dim> where) {
+auto particle_for(Dice& dice, Vector<Number<double>, dim> where, bool neighbour = false) {
     auto p = ready_particle<Material>(dice, where);
     if constexpr (detail::contains<WallDirection, typename C::Part::reads>)
         p.set(pressure, abs(p[pressure]));
+    if constexpr (detail::contains<Porosity, typename C::Part::reads>)
+        p.set(porosity, (neighbour ? 0.25 : 1) * p[porosity]);
     return p;
 }
 
@@ -88,7 +91,7 @@ void check_part() {
         std::vector<Particle<dim, Number<double>, typename C::B>> neighbours;
         for (int lane = 0; lane < width; ++lane) { // inside and outside the support, and one on top of a
             const auto where = dice.vector<dim>(lane == 0 ? 0 : 0.7 * H);
-            neighbours.push_back(particle_for<C, typename C::B>(dice, where));
+            neighbours.push_back(particle_for<C, typename C::B>(dice, where, true));
         }
         const auto a_ = as<T>(a);
         const auto b_ = lanes<T>(neighbours);
