@@ -21,7 +21,7 @@ for group in "$@"; do
         tests) packages="$packages python3-vtk9 pkg-config zlib1g-dev libtiff-dev" ;;
         clang) packages="$packages clang libomp-dev libc++-dev libc++abi-dev" ;;
         benchmarks) packages="$packages libbenchmark-dev libnanoflann-dev valgrind python3-psutil" ;;
-        docs) packages="$packages doxygen doxygen-awesome-css" ;;
+        docs) packages="$packages doxygen doxygen-awesome-css libjs-lunr python3-lunr" ;;
         browser) packages="$packages linkchecker chromium chromium-driver python3-selenium" ;;
         studies) packages="$packages python3-scipy" ;;
         pictures) packages="$packages python3-vtk9 xvfb xauth ffmpeg" ;;

@@ -8,19 +8,25 @@ without a title. What it saw stays as pictures, to be looked at:
     python3 docs/site/look_at_pages.py build-docs          writes build-docs/looks/<page>_<width>.png
 
 Looked at are the hand-written pages, the lists of names and, of the pages that Doxygen makes of the headers, all that
-docs/policies.md names and of the others every tenth.
+docs/policies.md names and of the others every tenth. Then the pages are turned from the first to the last by the links at
+their foot, and for each a word is searched for that no other page has.
 """
 
 import argparse
 import glob
+import json
 import os
 import re
 import sys
 
 from costs import rows
+from neighbours import reading_order
 from selenium import webdriver
+from selenium.common.exceptions import TimeoutException
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.wait import WebDriverWait
 
 WIDTHS = (1280, 390)
 GREATEST_HEIGHT = 12000
@@ -56,6 +62,8 @@ if (widest)
                 widest.outerHTML.replace(/\s+/g, ' ').slice(0, 80));
 return faults;
 """
+# The pages that the search shows.
+FOUND = "return [...document.querySelectorAll('#MSearchResultsWindow a')].map(it => it.href.split('#')[0])"
 # The text scrolls within the window: this is how high it would have to be to show all of it.
 HEIGHT = """
 const text = document.querySelector('#doc-content');
@@ -96,12 +104,58 @@ def chosen(html):
 def look(driver, html, looks, page, width):
     """Leaves a picture of the page and returns its faults."""
     narrow_to(driver, width)
-    driver.get("file://" + os.path.abspath(os.path.join(html, page)))
+    driver.get(address(html, page))
     found = driver.execute_script(FAULTS) + [entry["message"] for entry in driver.get_log("browser")]
     height = driver.execute_script(HEIGHT)
     narrow_to(driver, width, min(max(height, 900), GREATEST_HEIGHT))
     driver.save_screenshot(os.path.join(looks, f"{page[:-5]}_{width}.png"))
     return [f"{page}, {width} wide: {fault}" for fault in found]
+
+
+def address(html, page):
+    return "file://" + os.path.abspath(os.path.join(html, page))
+
+
+def turn_the_pages(driver, html):
+    """What is wrong with the links to the next page, one after the other."""
+    narrow_to(driver, WIDTHS[1])
+    pages = [f"{name}.html" for name, _ in reading_order()]
+    driver.get(address(html, pages[0]))
+    for page, after in zip(pages, pages[1:]):
+        driver.find_element(By.CSS_SELECTOR, ".neighbours .after").click()
+        if driver.current_url != address(html, after):
+            return [f"{page}: the next page is {driver.current_url}, not {after}"]
+        before = driver.find_element(By.CSS_SELECTOR, ".neighbours .before").get_attribute("href")
+        if before != address(html, page):
+            return [f"{after}: the page before is {before}, not {page}"]
+    return []
+
+
+def words_of_one_page(html):
+    """{page: a word that is in its text and in nothing else that the search finds}"""
+    with open(os.path.join(html, "search", "text.js"), encoding="utf-8") as file:
+        text = json.loads(file.read().removeprefix("var searchText = ").rstrip(";\n"))
+    found = {}
+    for word, where in text["index"]["invertedIndex"]:
+        if len(where["text"]) == 1 and not where["heading"] and re.fullmatch("[a-z]{7,}", word):
+            found.setdefault(text["pages"][text["sections"][int(*where["text"])][0]][0], word)
+    return {page: found[page] for name, _ in reading_order() if (page := f"{name}.html") in found}
+
+
+def search(driver, html):
+    """Pages that a word of theirs does not find, and how many were looked for."""
+    words, faults = words_of_one_page(html), []
+    narrow_to(driver, WIDTHS[0])
+    driver.get(address(html, "index.html"))
+    field = driver.find_element(By.ID, "MSearchField")
+    for page, word in words.items():
+        field.clear()
+        field.send_keys(word)
+        try:
+            WebDriverWait(driver, 10).until(lambda _: address(html, page) in driver.execute_script(FOUND))
+        except TimeoutException:
+            faults.append(f"{page}: the search for '{word}' does not find it")
+    return faults, len(words)
 
 
 def main():
@@ -115,8 +169,11 @@ def main():
     os.makedirs(looks, exist_ok=True)
     with browser() as driver:
         faults = [fault for page in pages for width in WIDTHS for fault in look(driver, html, looks, page, width)]
+        faults += turn_the_pages(driver, html)
+        wrong, searched = search(driver, html)
+        faults += wrong
     print("".join(fault + "\n" for fault in faults), end="")
-    print(f"{len(pages)} pages looked at, {len(faults)} faults; pictures in {looks}")
+    print(f"{len(pages)} pages looked at, {searched} searched for, {len(faults)} faults; pictures in {looks}")
     sys.exit(1 if faults else 0)
 
 
