@@ -15,6 +15,7 @@
 #include <cases/validation/dam_break_at_wall.hpp>
 #include <cases/validation/dam_break_on_box.hpp>
 #include <cases/validation/drop_in_gas.hpp>
+#include <cases/validation/drop_on_slab.hpp>
 #include <cases/validation/duct.hpp>
 #include <cases/validation/elastic_baffle.hpp>
 #include <cases/validation/elastic_gate.hpp>
@@ -76,6 +77,7 @@ int main(int argc, char** argv) {
         {"still-layers", "particles over a layer's height", {20, 40}, still_layers::measure},
         {"rayleigh-taylor", "particles in its length", {32, 64}, rayleigh_taylor::measure},
         {"drop-in-gas", "particles over the radius", {8, 16}, drop_in_gas::measure},
+        {"drop-on-slab", "particles over the radius", {12, 24}, drop_on_slab::measure},
         {"rising-bubble", "particles over the width", {32, 64}, rising_bubble::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},

@@ -4,6 +4,7 @@
 #include <cases/validation/capillary_tube.hpp>
 #include <cases/validation/capillary_wave.hpp>
 #include <cases/validation/drop_in_gas.hpp>
+#include <cases/validation/drop_on_slab.hpp>
 #include <cases/validation/rising_bubble.hpp>
 #include <cases/validation/sessile_drop.hpp>
 #include <cases/validation/still_layers.hpp>
@@ -45,10 +46,25 @@ TEST_CASE("Water rises in a round tube", "[fluid]") {
     CHECK(std::abs(tube.found / tube.exact - 1) < 0.15);
 }
 
-TEST_CASE("Water fills a slit at Washburn's speed", "[fluid]") {
-    const double speed = validation::capillary_filling::speed(12, 30), exact = validation::capillary_filling::exact(30);
-    CAPTURE(speed, exact);
-    CHECK(std::abs(speed / exact - 1) < 0.15);
+TEST_CASE("Water fills a slit at Washburn's speed, with the angle of a moving line by Cox", "[fluid]") {
+    namespace slit = validation::capillary_filling;
+    const double speed = slit::speed(12, 30), still = slit::exact(30),
+                 moving = slit::exact(30, std::log(12 / (2 * slit::slip)));
+    CAPTURE(speed, still, moving);
+    CHECK(std::abs(speed / still - 1) < 0.15);
+    CHECK(std::abs(speed / moving - 1) < 0.05);
+    CHECK(slit::moving_angle(1, 0.1, 0) == 1);
+    const double slow = slit::moving_angle(1, 1e-4, 1) - 1;
+    CHECK(slow / (slit::viscosity * 1e-4) == Approx(5.7815).epsilon(1e-3)); // f(1), by another program
+}
+
+TEST_CASE("A drop dents a soft slab and lifts it at its rim as elasticity says", "[fluid]") {
+    const auto found = validation::drop_on_slab::measure(12);
+    CAPTURE(found[0].computed, found[1].computed);
+    CHECK(std::abs(found[0].error()) < 0.05);
+    CHECK(std::abs(found[1].error()) < 0.15);
+    CHECK(found[0].reference < 0);
+    CHECK(found[1].reference > 0);
 }
 
 TEST_CASE("A liquid under a gas of a thousandth of its density stays at rest", "[fluid]") {
