@@ -20,6 +20,7 @@ using WeaklyCompressible = sph::Fluid<sph::LinearState, sph::VolumeContinuity<C2
 struct Diffusive : WeaklyCompressible<sph::DensityDiffusion<C2>> {};
 struct Rough : WeaklyCompressible<> {};
 struct Shifted : WeaklyCompressible<sph::DensityDiffusion<C2>, sph::ParticleShifting<C2>> {};
+struct Corrected : sph::Fluid<sph::LinearState, sph::CorrectedGradients<C2>, sph::MonaghanViscosity<C2>> {};
 struct Riemann : sph::Fluid<sph::LinearState, sph::RiemannContinuity<C2>, sph::DensityFloor, sph::RiemannPressure<C2>> {
 };
 struct Tank : sph::Wall<> {};
@@ -27,6 +28,10 @@ struct Tank : sph::Wall<> {};
 template <class Water>
 struct Sides : sph::Coupling<Water, Tank, sph::Into<Tank, sph::PressureExtrapolation<C2>>, sph::VolumePressure<C2>,
                              sph::Into<Water, sph::VolumeContinuity<C2>>> {
+    using Suction = sph::PressureExtrapolationParameters;
+};
+template <>
+struct Sides<Corrected> : sph::CouplingOf<Corrected, Tank> {
     using Suction = sph::PressureExtrapolationParameters;
 };
 template <>
@@ -83,6 +88,7 @@ const Compositions<Front>
                  {{{}, chosen<Diffusive>},
                   {{{"scheme", "without diffusion"}}, chosen<Rough>},
                   {{{"scheme", "shifted"}}, chosen<Shifted>},
+                  {{{"scheme", "corrected gradients"}}, chosen<Corrected>},
                   {{{"scheme", "Riemann"}}, chosen<Riemann>},
                   {{{"integrator", "staggered leapfrog"}}, chosen<Diffusive, double, sph::StaggeredLeapfrog>},
                   {{{"precision", "float"}}, chosen<Diffusive, float>}});

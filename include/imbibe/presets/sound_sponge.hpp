@@ -51,19 +51,24 @@ struct SoundSponge : SoundWater {
     /// The scene with its particles. Throws Error for a number of the case that is out of range.
     template <class Real>
     static Scene<Real> make(SpongeCase c) {
+        return make<SoundSponge, Real>(c);
+    }
+    /// The same with phases and couplings of another composition, which derives from this one.
+    template <class Composition, class Real>
+    static auto make(SpongeCase c) {
         check(c);
         if (c.search_interval == 0) // fast drops make it 2; displacements stay within 0.5 % of their peak
             c.search_interval = 4;
         const double reach = c.support_ratio * c.water_spacing, sound_speed = 10 * c.fall_speed();
-        Scene<Real> scene(c.settings(reach));
-        Water water{{.density = 1000, .sound_speed = sound_speed, .viscosity = c.viscosity}};
+        typename Composition::template Scene<Real> scene(c.settings(reach));
+        typename Composition::Water water{{.density = 1000, .sound_speed = sound_speed, .viscosity = c.viscosity}};
         set_coefficients(water);
         scene.add(water, c.water(), c.water_spacing);
         const auto slab = scene.add(sponge(c), c.sponge(), c.solid_spacing);
         scene.hold(slab, [&](const Point<3>& x) { return c.clamped(x); });
         scene.add(Vessel{{.density = 1000}}, c.vessel(reach), c.water_spacing);
-        set_coefficients(scene.template coupling<Contact>(), water);
-        set_coefficients(scene.template coupling<Sides>(), water);
+        set_coefficients(scene.template coupling<typename Composition::Contact>(), water);
+        set_coefficients(scene.template coupling<typename Composition::Sides>(), water);
         return scene;
     }
 };

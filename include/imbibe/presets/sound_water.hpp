@@ -39,7 +39,7 @@ struct SoundWater {
     using Scene = Solver<dim, Real, SymplecticEuler, Water, Vessel, Sides>;
 
     /// The coefficients of the scheme.
-    static void set_coefficients(Water& water) {
+    static void set_coefficients(auto& water) {
         water.set(MonaghanViscosityParameters{.alpha = 0.02, .beta = 1});
         // The remaining tension keeps spinning water closed, and drops together. It wets a sponge no more than
         // capillarity does in such pores. The walls have none, or single drops would hang at them.
@@ -51,7 +51,7 @@ struct SoundWater {
     }
     /// The same for water and its walls (Sides) or a solid: no suction, and a guard with which one layer of wall
     /// particles holds a metre of water.
-    static void set_coefficients(auto& contact, const Water& water) {
+    static void set_coefficients(auto& contact, const auto& water) {
         // Without suction, single particles would sink into the surface along which they slide; the guard prevents
         // that.
         contact.set(PressureExtrapolationParameters{.suction = false});
@@ -60,7 +60,7 @@ struct SoundWater {
 
 private:
     // rho c^2, Pa.
-    static double bulk_modulus(const Water& water) { return water.density * sq(water.sound_speed); }
+    static double bulk_modulus(const auto& water) { return water.density * sq(water.sound_speed); }
 };
 
 } // namespace imbibe::presets
