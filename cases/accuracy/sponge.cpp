@@ -15,7 +15,7 @@ namespace {
 
 using sph::presets::SoundSponge;
 
-/// SoundSponge with corrected gradients in the water.
+/// SoundSponge with the method CorrectedGradients in the water, shifting in shear included; walls may attract it.
 struct CorrectedSponge : SoundSponge {
     struct Water : sph::Fluid<sph::LinearState, sph::CorrectedGradients<K>, sph::MorrisViscosity<K>,
                               sph::MonaghanViscosity<K>, sph::KernelRepulsion<sph::Spiky>> {};

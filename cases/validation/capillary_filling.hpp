@@ -1,11 +1,13 @@
 // Water that is drawn along a slit between two plates and pushes an oil of the same viscosity out of it.
 //
 // Reference: Washburn (1921) for two liquids, v = d^2 p/(12 eta (L + 0.849 d)), with the loss at both ends as that of a
-// slit in a thin wall, 32 eta v/(pi d) (Roscoe 1949), and p = 2 sigma (cos theta_d/d - cos theta/D), theta_d = theta.
-// By Cox (1986) theta_d is larger the faster the line moves: with a slip length s of the line the integral of dx/f(x)
-// from theta to theta_d is eta v/sigma ln(d/(2 s)), where for two liquids of the same viscosity
+// slit in a thin wall, 32 eta v/(pi d) (Roscoe 1949), and p = 2 sigma (cos theta_d/d - cos theta_D/D) with the
+// angles of the interfaces in the slit and in the reservoirs; he takes those at rest, theta. By Cox (1986) that of an
+// advancing line is larger, that of a receding one smaller: with a slip length s of the line the integral of dx/f(x)
+// from theta to theta_d is eta v/sigma ln(d/(2 s)), from theta to theta_D - eta v/(3 sigma) ln(D/(2 s)), where for two
+// liquids of the same viscosity
 // f(x) = 2 pi^2 sin x/((x^2 - sin^2 x)(pi - x + sin x cos x) + ((pi - x)^2 - sin^2 x)(x - sin x cos x)).
-// Here s is 3.5 spacings, chosen for the speeds at 30 degrees.
+// Here s is 4.5 spacings, chosen for the speeds at 30 degrees.
 // Geometry: a slit of d = 1 and L = 4 between reservoirs of D = 3 that meet through the periodic side; rho = sigma = 1,
 // viscosity 0.3 of both. Water begins at a quarter of the slit.
 // Scheme: presets::TwoLiquids from a lattice jittered by a fifth of a spacing; sound is 20.
@@ -31,9 +33,9 @@ namespace sph = imbibe;
 using Preset = sph::presets::TwoLiquids;
 
 constexpr double pi = std::numbers::pi;
-constexpr double wide = 3, reservoir = 2, length = 4, viscosity = 0.3, slip = 3.5; ///< slip in spacings
+constexpr double wide = 3, reservoir = 2, length = 4, viscosity = 0.3, slip = 4.5; ///< slip in spacings
 
-/// Cox's theta_d at a speed, rad. @param logarithm ln(d/(2 s))
+/// Cox's angle of a line that advances at a speed, rad. @param logarithm ln(d/(2 s)), d the width between its walls
 inline double moving_angle(double angle, double speed, double logarithm) {
     const int steps = 1000;
     for (int i = 0; i < steps; ++i) {
@@ -45,12 +47,15 @@ inline double moving_angle(double angle, double speed, double logarithm) {
     return angle;
 }
 
-/// The speed of the reference: Washburn's, or with a logarithm that is not 0 that with Cox's angle.
-inline double exact(double degrees, double logarithm = 0) {
+/// The speed of the reference: Washburn's; with a slip length above 0, in widths of the slit, with Cox's angles.
+inline double exact(double degrees, double slip_length = 0) {
     const double angle = degrees * pi / 180;
+    const auto logarithm = [&](double width) { return slip_length > 0 ? std::log(width / (2 * slip_length)) : 0; };
     double speed = 0;
     for (int i = 0; i < 50; ++i) { // every change is a fraction of the one before
-        const double pressure = 2 * (std::cos(moving_angle(angle, speed, logarithm)) - std::cos(angle) / wide);
+        const double front = moving_angle(angle, speed, logarithm(1)),
+                     behind = moving_angle(angle, -speed / wide, logarithm(wide));
+        const double pressure = 2 * (std::cos(front) - std::cos(behind) / wide);
         speed = pressure / (12 * viscosity * (length + 32 / (12 * pi)));
     }
     return speed;
@@ -100,8 +105,8 @@ inline std::vector<Measured> measure(int across) {
         const double computed = speed(across, degrees);
         found.push_back({sph::text("speed with a contact angle of ", degrees, ", degrees"), "10 % at 20", computed,
                          exact(degrees)});
-        found.push_back({sph::text("the same, beside Washburn with Cox's angle of ", degrees, ", degrees"),
-                         "10 % at 20", computed, exact(degrees, std::log(across / (2 * slip)))});
+        found.push_back({sph::text("the same, beside Washburn with Cox's angles, ", degrees, ", degrees"), "10 % at 20",
+                         computed, exact(degrees, slip / across)});
     }
     return found;
 }

@@ -1,11 +1,14 @@
 // A drop on a soft slab: the interface lifts the slab's surface at the contact lines, the drop's pressure dents it.
 //
-// Reference: linear elasticity in plane strain of a slab bonded to a rigid base under two lines of force sigma upwards,
-// at the rim of the drop, and the pressure sigma/R between them, which balance; the displacement by Fourier series,
-// with the slab's compliance per wave number k (1 - nu)/(G k) ((3 - 4 nu) sinh 2kh - 2kh)/((3 - 4 nu) cosh 2kh + 2 k^2
-// h^2 + 5 - 12 nu + 8 nu^2) (Xu, Engl, Jerison, Wallenstein, Hyland, Wilen and Dufresne 2010, for any Poisson's ratio).
+// Reference: linear elasticity in plane strain of a slab of thickness h, bonded to a rigid base, under two lines of
+// force sigma upwards at the rim of the drop and the pressure sigma/R between them, which balance. The displacement is
+// a Fourier series, with the slab's compliance at a wave number k (Xu, Engl, Jerison, Wallenstein, Hyland, Wilen and
+// Dufresne 2010; here for any Poisson's ratio):
+// (1 - nu)/(G k) ((3 - 4 nu) sinh 2kh - 2kh)/((3 - 4 nu) cosh 2kh + 2 k^2 h^2 + 5 - 12 nu + 8 nu^2).
 // Geometry: half a disc of R = 1, rho = sigma = 1, at a contact angle of 90 degrees on a slab of thickness 1, in a box
 // of 6 by 3 above it, periodic along x; shear modulus 100, Poisson's ratio 0.45; both liquids with a viscosity of 0.1.
+// The liquids' background pressure squeezes the slab by 1.6 % with 12 particles over R, 3.3 % with 24. By the series
+// that alone makes the dent 1.3 and 2.6 % shallower.
 // Scheme: presets::SpongeInTwoLiquids; sound is 20.
 // Measure: the mean height of the slab's surface up to 0.5 from the drop's centre, and from 0.75 to 1.25, over that
 // from 2.5 to 3, the mean from t = 4 to 6.

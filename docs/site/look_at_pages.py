@@ -16,6 +16,7 @@ import argparse
 import glob
 import json
 import os
+import pathlib
 import re
 import sys
 
@@ -64,6 +65,7 @@ return faults;
 """
 # The pages that the search shows.
 FOUND = "return [...document.querySelectorAll('#MSearchResultsWindow a')].map(it => it.href.split('#')[0])"
+FORGET = "document.getElementById('MSearchResultsWindow').replaceChildren()"
 # The text scrolls within the window: this is how high it would have to be to show all of it.
 HEIGHT = """
 const text = document.querySelector('#doc-content');
@@ -113,7 +115,7 @@ def look(driver, html, looks, page, width):
 
 
 def address(html, page):
-    return "file://" + os.path.abspath(os.path.join(html, page))
+    return pathlib.Path(html, page).absolute().as_uri()
 
 
 def turn_the_pages(driver, html):
@@ -149,8 +151,9 @@ def search(driver, html):
     driver.get(address(html, "index.html"))
     field = driver.find_element(By.ID, "MSearchField")
     for page, word in words.items():
+        driver.execute_script(FORGET)
         field.clear()
-        field.send_keys(word)
+        field.send_keys(f"the {word}'s 5")  # what is in no index does not count
         try:
             WebDriverWait(driver, 10).until(lambda _: address(html, page) in driver.execute_script(FOUND))
         except TimeoutException:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes what the search of the site (search_text.js) reads beside Doxygen's lists of names: html/search/text.js, with the
 text of every page of the tree and of the comment of every type and group, cut at the headings, and an index of its words
-for lunr.js. Every word is in the index as it stands; search_text.js also looks for words that begin alike.
+for lunr.js. Words of two letters or more, but for stop words, are in the index as they stand; search_text.js also looks for words that begin alike.
 
     python3 docs/site/search.py build-docs      after Doxygen; the target `docs` calls it
 """
@@ -26,7 +26,7 @@ try:
     from lunr.builder import Builder
     from lunr.stop_word_filter import stop_word_filter
 except ImportError as error:
-    end_without(error)
+    end_without(error, "docs", "lunr")
 
 OF_HEADERS = ("struct", "class", "concept", "group__")
 EMPTY = {"area", "br", "col", "hr", "img", "input", "link", "meta", "wbr"}  # elements that have no end

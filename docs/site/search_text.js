@@ -12,7 +12,7 @@ $(() => {
     const fetchScript = file => fetched[file] ??= new Promise((done, failed) => {
         const script = document.createElement('script');
         script.onload = () => done(window.searchData); // of one of Doxygen's lists, before the next one overwrites it
-        script.onerror = failed;
+        script.onerror = () => { delete fetched[file]; failed(); }; // to be tried again
         script.src = file;
         document.head.append(script);
     });
@@ -46,10 +46,13 @@ $(() => {
             [plain(name), places.map(([address, , scope]) => [address.replace(/^\.\.\//, ''), plain(scope ?? '')])]);
     }
 
+    // Is it a word that search.py puts into the index?
+    const inIndex = word => word.length > 1 && /\p{L}/u.test(word) && lunr.stopWordFilter(new lunr.Token(word));
+
     // What is typed as words, and how words begin that are taken for the same.
     function beginnings(typed) {
         const words = typed.toLowerCase().match(/[\p{L}\p{N}_]+/gu) ?? [];
-        return words.filter(word => lunr.stopWordFilter(new lunr.Token(word))).map(word => {
+        return words.filter(inIndex).map(word => {
             const stem = lunr.stemmer(new lunr.Token(word)).toString();
             return stem.length > 3 && stem !== word ? [word, stem] : [word];
         });
@@ -113,7 +116,7 @@ $(() => {
         more.onclick = () => {
             const others = found.slice(shown).map(show);
             more.replaceWith(...others);
-            others[0].focus();
+            (others[0].querySelector('summary') ?? others[0]).focus();
         };
         return [make('h2', '', heading), ...found.slice(0, shown).map(show), ...found.length > shown ? [more] : []];
     }

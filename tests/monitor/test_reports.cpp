@@ -24,6 +24,9 @@ struct Gate : sph::Solid<sph::TotalLagrangianSolid<sph::StVenantKirchhoff, K>, s
 struct AtGate : sph::Coupling<Calm, Gate, sph::Into<Gate, sph::PressureExtrapolation<K>>, sph::SymmetricPressure<K>,
                               sph::Into<Calm, sph::Continuity<K>>> {};
 
+struct Shifted : sph::Fluid<sph::LinearState, sph::VolumeContinuity<K>, sph::VolumePressure<K>, sph::MorrisViscosity<K>,
+                            sph::ParticleShifting<K>> {};
+
 template <int>
 struct Pier : sph::Wall<> {};
 template <class Solid>
@@ -193,6 +196,21 @@ TEST_CASE("The report says what would make the scene faster", "[reports]") {
     says(gate(std::type_identity<sph::SymplecticEuler>{}, 200), "faster: the integrator Subcycled<Gate>");
     CHECK(gate(std::type_identity<sph::SymplecticEuler>{}, 5).find("faster") == std::string::npos);
     CHECK(gate(std::type_identity<sph::Subcycled<Gate>>{}, 200).find("faster") == std::string::npos);
+
+    using Dual = sph::DualStepping<sph::MorrisViscosity<K>, sph::ParticleShifting<K>>;
+    const auto stream = [&]<class Integrator>(std::type_identity<Integrator>, double viscosity) {
+        sph::Solver<2, float, Integrator, Shifted> scene(
+            {.support_radius = 3 * dx, .periodic_length = {0.4, 0.4}, .search_interval = 100, .search_skin = 0.1});
+        scene.add(Shifted{{.density = 1000, .sound_speed = 10, .viscosity = viscosity}},
+                  sph::fill(sph::Box<2>({0, 0}, {0.4, 0.4}), dx), dx);
+        scene.template get<Shifted>()[sph::velocity].col(0).setConstant(1);
+        return report(scene);
+    };
+    says(stream(std::type_identity<sph::SymplecticEuler>{}, 0.1),
+         "faster: the integrator DualStepping<MorrisViscosity");
+    CHECK(stream(std::type_identity<sph::SymplecticEuler>{}, 1000).find("faster") ==
+          std::string::npos); // it limits steps
+    CHECK(stream(std::type_identity<Dual>{}, 0.1).find("faster") == std::string::npos);
 }
 
 TEST_CASE("The live line says how far, how fast, what limits the step, and how long still", "[reports]") {

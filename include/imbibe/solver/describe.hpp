@@ -4,12 +4,17 @@
 #include <imbibe/core/compiled_core.hpp>
 #include <imbibe/core/lattice.hpp>
 #include <imbibe/solver/costs.hpp>
+#include <imbibe/solver/limit_rows.hpp>
+#include <imbibe/solver/nodes.hpp>
 #include <imbibe/solver/solver.hpp>
+#include <imbibe/solver/time_step_limits.hpp>
+#include <imbibe/time/dual_stepping.hpp>
 
 #include <chrono>
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace imbibe {
@@ -66,6 +71,38 @@ std::string material_in_words(const P& material) {
     return words;
 }
 
+/// Is it a term that DualStepping may evaluate in long steps: a shifting of particles, or a physical viscosity?
+template <class Term>
+    struct KeepSlow : std::bool_constant < requires {
+    Term::advection_limit_name;
+} || requires {
+    requires std::is_same_v<typename Term::effect, effects::viscous_force>;
+}
+> {};
+/// Such terms of a list, without the phases that they are listed for.
+template <class List>
+struct SlowTermsIn;
+template <class... Term>
+struct SlowTermsIn<TypeList<Term...>> {
+    using type = Filter<KeepSlow, TypeList<typename Listed<Term>::Term...>>;
+};
+/// Those of the phases and couplings of a scene.
+template <class Phases, class Couplings>
+struct SlowTerms;
+template <class... P, class... C>
+struct SlowTerms<TypeList<P...>, TypeList<C...>> {
+    using type = Unique<
+        Concat<typename SlowTermsIn<typename P::terms>::type..., typename SlowTermsIn<typename C::terms>::type...>>;
+};
+/// DualStepping with the terms of a list. Are particles shifted by one of them?
+template <class List>
+struct DualSteppingOf;
+template <class... Term>
+struct DualSteppingOf<TypeList<Term...>> {
+    using type = DualStepping<Term...>;
+    static constexpr bool shifts = (requires { Term::advection_limit_name; } || ...);
+};
+
 /// The part of a scene's report that depends on its types.
 struct TypesInWords {
     struct PhaseInWords {
@@ -78,6 +115,13 @@ struct TypesInWords {
     std::vector<std::string> couplings; ///< their effects
     std::vector<int> loads;             ///< by link: how many numbers of a neighbour are loaded in a step
     int rounds = 0, loops = 0;
+    /// Where particles are shifted: DualStepping with its long steps, and the numbers that are loaded in long and in
+    /// short ones, by link.
+    struct {
+        std::string integrator;
+        double step = 0; ///< the shortest limit on long steps, without the CFL number, s
+        std::vector<int> loads, loads_in_short;
+    } dual;
 };
 /// The limits on steps, for the report.
 struct LimitsInWords {
@@ -101,7 +145,7 @@ std::string describe(Scene& scene) {
     scene.prepare();
     const auto& engine = scene.engine();
     detail::TypesInWords types{
-        .phases = {}, .couplings = {}, .loads = {}, .rounds = Costs::rounds, .loops = Costs::loops};
+        .phases = {}, .couplings = {}, .loads = {}, .rounds = Costs::rounds, .loops = Costs::loops, .dual = {}};
     engine.for_each_phase([&]<class P>(std::type_identity<P>, const auto& s) {
         types.phases.push_back(
             {.material = detail::material_in_words(s.material),
@@ -115,6 +159,21 @@ std::string describe(Scene& scene) {
     }(typename Scene::Couplings{});
     engine.for_each_link(
         [&]<class L>(L, const detail::Link&) { types.loads.push_back(Costs::template loads_of_link<L>); });
+    using Composition = typename Scene::Scene;
+    using Slow = typename detail::SlowTerms<typename Scene::Phases, typename Scene::Couplings>::type;
+    if constexpr (detail::DualSteppingOf<Slow>::shifts && !Scene::subcycles) {
+        using Dual = typename detail::DualSteppingOf<Slow>::type;
+        types.dual.integrator = detail::names_of(TypeList<Dual>{});
+        types.dual.step = // the shortest comes first
+            detail::limits_of(engine, detail::LimitRows<Scene::dimension, Composition, Dual>::rows, false)[0].seconds;
+        engine.for_each_link([&]<class L>(L, const detail::Link&) {
+            const auto loads = [](const auto& pass) {
+                return detail::PassLoads<Scene::dimension, std::remove_cvref_t<decltype(pass)>>::template loads<L>;
+            };
+            types.dual.loads.push_back(loads(typename Composition::template TermsOf<Slow>{}));
+            types.dual.loads_in_short.push_back(loads(typename Composition::template AllButTermsOf<Slow>{}));
+        });
+    }
     detail::LimitsInWords limits{scene.time_step_limits(), {}, scene.next_step()};
     if constexpr (Scene::subcycles)
         limits.substep = scene.substep_limits();

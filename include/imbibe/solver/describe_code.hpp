@@ -68,7 +68,7 @@ std::string uncoupled_in_words(const SceneStore<dim, Real>& scene) {
 }
 
 /// Lines that say what would make the scene faster, as it is now: searches that serve several steps, a solid that takes
-/// its short steps alone; or none.
+/// its short steps alone, terms that are evaluated in long steps; or none.
 template <int dim, class Real>
 std::string advice_in_words(const Neighbourhood<dim, Real>& scene, const Settings<dim>& settings,
                             const TypesInWords& types, const LimitsInWords& limits) {
@@ -91,13 +91,16 @@ std::string advice_in_words(const Neighbourhood<dim, Real>& scene, const Setting
                 text("  faster: search_interval = 100 and search_skin = 0.1; as it moves now, neighbours would serve ",
                      served >= 100 ? "100" : text(std::floor(served)), " steps\n");
     }
-    // What the pairs inside the phase that sets the step cost, and all others, in numbers that are loaded.
-    double own = 0, others = 0, next = std::numeric_limits<double>::infinity();
+    // What a step costs, in numbers that are loaded: the pairs inside the phase that sets the step, and all others; the
+    // long and the short steps of DualStepping.
+    double own = 0, others = 0, dual = 0, dual_short = 0, next = std::numeric_limits<double>::infinity();
     bool is_solid = false;
     for (std::size_t k = 0; k < scene.links.size(); ++k) {
         const LinkRow& row = scene.links[k].row;
-        const double cost =
-            scene.phase(row.a).size() * std::max(scene.mean_neighbours(scene.links[k]), 0.0) * types.loads[k];
+        const double pairs = scene.phase(row.a).size() * std::max(scene.mean_neighbours(scene.links[k]), 0.0),
+                     cost = pairs * types.loads[k];
+        if (!types.dual.integrator.empty())
+            dual += pairs * types.dual.loads[k], dual_short += pairs * types.dual.loads_in_short[k];
         const bool inside = row.a == row.b && scene.phase(row.a).name == limits.first.where;
         (inside ? own : others) += cost;
         // Subcycled takes no implicit drag.
@@ -111,6 +114,12 @@ std::string advice_in_words(const Neighbourhood<dim, Real>& scene, const Setting
         is_solid && limits.substep.empty() && faster > 1.2)
         words += text("  faster: the integrator Subcycled<", limits.first.where, ">, in which it alone takes ", ratio,
                       " short steps in each: some ", std::round(10 * faster) / 10, " times\n");
+    if (const double shorter = std::ceil(std::min(settings.cfl * types.dual.step, settings.max_time_step) / step);
+        shorter > 1)
+        if (const double faster = shorter * (own + others) / (shorter * dual_short + dual); faster > 1.2)
+            words += text("  faster: the integrator ", types.dual.integrator, ", which evaluates these terms once in ",
+                          shorter, " steps: some ", std::round(10 * faster) / 10,
+                          " times; not for a splash, which changes within them\n");
     return words;
 }
 
