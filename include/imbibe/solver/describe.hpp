@@ -71,14 +71,17 @@ std::string material_in_words(const P& material) {
     return words;
 }
 
-/// Is it a term that DualStepping may evaluate in long steps: a shifting of particles, or a physical viscosity?
+/// The terms that DualStepping may evaluate in long steps: those that shift particles, and physical viscosities.
 template <class Term>
-    struct KeepSlow : std::bool_constant < requires {
+concept ShiftsParticles = requires {
     Term::advection_limit_name;
-} || requires {
+};
+template <class Term>
+concept IsViscous = requires {
     requires std::is_same_v<typename Term::effect, effects::viscous_force>;
-}
-> {};
+};
+template <class Term>
+struct KeepSlow : std::bool_constant<ShiftsParticles<Term> || IsViscous<Term>> {};
 /// Such terms of a list, without the phases that they are listed for.
 template <class List>
 struct SlowTermsIn;
@@ -100,7 +103,7 @@ struct DualSteppingOf;
 template <class... Term>
 struct DualSteppingOf<TypeList<Term...>> {
     using type = DualStepping<Term...>;
-    static constexpr bool shifts = (requires { Term::advection_limit_name; } || ...);
+    static constexpr bool shifts = (ShiftsParticles<Term> || ...);
 };
 
 /// The part of a scene's report that depends on its types.
@@ -119,7 +122,7 @@ struct TypesInWords {
     /// short ones, by link.
     struct {
         std::string integrator;
-        double step = 0; ///< the shortest limit on long steps, without the CFL number, s
+        double step = 0; ///< the shortest limit on long steps, without the CFL number, s; 0: none
         std::vector<int> loads, loads_in_short;
     } dual;
 };
@@ -164,8 +167,10 @@ std::string describe(Scene& scene) {
     if constexpr (detail::DualSteppingOf<Slow>::shifts && !Scene::subcycles) {
         using Dual = typename detail::DualSteppingOf<Slow>::type;
         types.dual.integrator = detail::names_of(TypeList<Dual>{});
-        types.dual.step = // the shortest comes first
-            detail::limits_of(engine, detail::LimitRows<Scene::dimension, Composition, Dual>::rows, false)[0].seconds;
+        if (const auto all =
+                detail::limits_of(engine, detail::LimitRows<Scene::dimension, Composition, Dual>::rows, false);
+            !all.empty()) // it is where nothing moves
+            types.dual.step = all.front().seconds;
         engine.for_each_link([&]<class L>(L, const detail::Link&) {
             const auto loads = [](const auto& pass) {
                 return detail::PassLoads<Scene::dimension, std::remove_cvref_t<decltype(pass)>>::template loads<L>;
