@@ -48,14 +48,14 @@ TEST_CASE("Water rises in a round tube", "[fluid]") {
 
 TEST_CASE("Water fills a slit at Washburn's speed, with the angles of moving lines by Cox", "[fluid]") {
     namespace slit = validation::capillary_filling;
-    const double speed = slit::speed(12, 30), still = slit::exact(30),
-                 moving = slit::exact(30, slit::slip / 12);
+    const double speed = slit::speed(12, 30), still = slit::exact(30), moving = slit::exact(30, slit::slip / 12);
     CAPTURE(speed, still, moving);
     CHECK(std::abs(speed / still - 1) < 0.15);
     CHECK(std::abs(speed / moving - 1) < 0.05);
     CHECK(slit::moving_angle(1, 0.1, 0) == 1);
     const double slow = slit::moving_angle(1, 1e-4, 1) - 1;
-    CHECK(slow / (slit::viscosity * 1e-4) == Approx(5.7815).epsilon(1e-3)); // Cox's general f(1) at a viscosity ratio of 1
+    CHECK(slow / (slit::viscosity * 1e-4) ==
+          Approx(5.7815).epsilon(1e-3)); // Cox's general f(1) at a viscosity ratio of 1
 }
 
 TEST_CASE("A drop dents a soft slab and lifts it at its rim as elasticity says", "[fluid]") {
