@@ -48,9 +48,13 @@
 #include <imbibe/heat/heat_flux.hpp>
 #include <imbibe/heat/melting.hpp>
 #include <imbibe/heat/surface_temperature.hpp>
+#include <imbibe/interface/cohesion.hpp>
 #include <imbibe/interface/interface_tension.hpp>
+#include <imbibe/interface/liquid_pressure.hpp>
+#include <imbibe/interface/settle_surface.hpp>
 #include <imbibe/kernels/kernels.hpp>
 #include <imbibe/methods/capillary_fluid.hpp>
+#include <imbibe/methods/cohesive_fluid.hpp>
 #include <imbibe/methods/corrected_gradients.hpp>
 #include <imbibe/methods/riemann_fluid.hpp>
 #include <imbibe/methods/seeping_fluid.hpp>
