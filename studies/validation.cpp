@@ -22,6 +22,7 @@
 #include <cases/validation/elliptic_drop.hpp>
 #include <cases/validation/fitted_bodies.hpp>
 #include <cases/validation/fitted_cylinders.hpp>
+#include <cases/validation/free_drop.hpp>
 #include <cases/validation/frozen_pores.hpp>
 #include <cases/validation/heated_cavity.hpp>
 #include <cases/validation/imbibition.hpp>
@@ -53,6 +54,10 @@
 #include <cases/validation/turek_hron.hpp>
 #include <cases/validation/turek_hron_flow.hpp>
 #include <cases/validation/turned_beam.hpp>
+#include <cases/validation/wetting_drop.hpp>
+#include <cases/validation/wetting_filling.hpp>
+#include <cases/validation/wetting_rise.hpp>
+#include <cases/validation/wetting_slab.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -79,6 +84,12 @@ int main(int argc, char** argv) {
         {"drop-in-gas", "particles over the radius", {8, 16}, drop_in_gas::measure},
         {"drop-on-slab", "particles over the radius", {12, 24}, drop_on_slab::measure},
         {"rising-bubble", "particles over the width", {32, 64}, rising_bubble::measure},
+        {"free-drop", "particles over the radius", {8, 16, 32}, free_drop::measure},
+        {"free-ball", "particles over the radius", {8, 12}, free_drop::measure_ball},
+        {"wetting-drop", "particles over the radius", {12, 24}, wetting_drop::measure},
+        {"wetting-rise", "particles between the plates", {12, 20}, wetting_rise::measure},
+        {"wetting-filling", "particles across the slit", {12, 20}, wetting_filling::measure},
+        {"wetting-slab", "particles over the radius", {12, 24}, wetting_slab::measure},
         {"couette", "particles across the gap", {12, 25, 50}, plates::measure_couette},
         {"cylinders", "particles along the cell", {25, 50}, cylinders::measure},
         {"fitted-cylinders", "particles along the cell", {25, 50}, fitted_cylinders::measure},

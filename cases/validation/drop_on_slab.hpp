@@ -54,6 +54,45 @@ inline double exact(const Ring& ring) {
     return height;
 }
 
+/// What becomes of the slab's surface, at `surface` before, over that beside the drop, the mean from 4 to 6 after now.
+/// @tparam Sponge the phase of the slab
+struct Heights {
+    double dent = 0, ridge = 0;
+};
+template <class Sponge>
+Heights heights(auto& scene, double spacing, double surface, const auto& start) {
+    const auto mean_height = [&](const auto& x, const Ring& ring) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < x.rows(); ++i) {
+            const double r = std::abs(start(i, 0) - wide / 2);
+            if (start(i, 1) > surface - spacing && r > ring.from && r < ring.to)
+                sum += x(i, 1) - start(i, 1), ++count;
+        }
+        return sum / count;
+    };
+    Heights seen;
+    int times = 0;
+    const double begin = scene.time();
+    scene.run_until(begin + 6, [&](const auto& s) {
+        if (s.time() < begin + 4)
+            return;
+        const auto x = s.template get<Sponge>()[sph::position];
+        const double level = mean_height(x, beside);
+        seen.dent += mean_height(x, dent) - level;
+        seen.ridge += mean_height(x, ridge) - level;
+        ++times;
+    });
+    return {seen.dent / times, seen.ridge / times};
+}
+
+/// These beside the reference.
+inline std::vector<Measured> measured(const Heights& seen) {
+    const double level = exact(beside);
+    return {{"height of the dent", "5 % at 16", seen.dent, exact(dent) - level},
+            {"height of the ridge", "none given", seen.ridge, exact(ridge) - level}};
+}
+
 inline std::vector<Measured> measure(int across) {
     const double spacing = 1.0 / across, base = 4 * spacing, surface = base + thick;
     Preset::Scene<2, double> scene({.support_radius = 3 * spacing, .periodic_length = {wide, 0}, .threads = 1});
@@ -75,30 +114,7 @@ inline std::vector<Measured> measure(int across) {
     Preset::set_coefficients(scene, interface);
     scene.hold(body, [&](const Point& x) { return x[1] < base; });
     const auto start = scene.get<Preset::Sponge>()[sph::position].eval();
-    const auto mean_height = [&](const auto& x, const Ring& ring) {
-        double sum = 0;
-        int count = 0;
-        for (int i = 0; i < x.rows(); ++i) {
-            const double r = std::abs(start(i, 0) - wide / 2);
-            if (start(i, 1) > surface - spacing && r > ring.from && r < ring.to)
-                sum += x(i, 1) - start(i, 1), ++count;
-        }
-        return sum / count;
-    };
-    double low = 0, high = 0;
-    int times = 0;
-    scene.run_until(6, [&](const auto& s) {
-        if (s.time() < 4)
-            return;
-        const auto x = s.template get<Preset::Sponge>()[sph::position];
-        const double level = mean_height(x, beside);
-        low += mean_height(x, dent) - level;
-        high += mean_height(x, ridge) - level;
-        ++times;
-    });
-    const double level = exact(beside);
-    return {{"height of the dent", "5 % at 16", low / times, exact(dent) - level},
-            {"height of the ridge", "none given", high / times, exact(ridge) - level}};
+    return measured(heights<Preset::Sponge>(scene, spacing, surface, start));
 }
 
 } // namespace validation::drop_on_slab
