@@ -41,6 +41,8 @@ void add_limits(Table& table) {
         water.set(sph::SummationRelaxationParameters{.time = 2e-6});
         return shaken_box(p, water, 2.6);
     });
+    row("Cohesion, kappa = 10 rho c^2, H = 5", "shaken disc", [](const Plan& p) { return shaken_cohesion(p, 10); });
+    row("Cohesion, kappa = 0.4 rho c^2, H = 5", "shaken disc", [](const Plan& p) { return shaken_cohesion(p, 0.4); });
     row("ParticleShifting, H = 3", "box of nothing else", [](const Plan& p) { return shifted_box<2>(p, 3); });
     row("ParticleShifting, H = 4", "box of nothing else", [](const Plan& p) { return shifted_box<2>(p, 4); });
     row("ParticleShifting, H = 2.6", "box of nothing else in 3D", [](const Plan& p) { return shifted_box<3>(p, 2.6); });

@@ -17,6 +17,8 @@
 #include <imbibe/heat/frozen_stress.hpp>
 #include <imbibe/heat/heat_capacity.hpp>
 #include <imbibe/heat/surface_temperature.hpp>
+#include <imbibe/interface/settle_surface.hpp>
+#include <imbibe/methods/cohesive_fluid.hpp>
 #include <imbibe/methods/seeping_fluid.hpp>
 #include <imbibe/methods/total_lagrangian_solid.hpp>
 #include <imbibe/mixture/fill_pores.hpp>
@@ -106,6 +108,7 @@ struct CorrectedLiquid : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>
                                     sph::CorrectedPressure<C2>> {};
 struct CorrectedSyrup : sph::Fluid<sph::LinearState, sph::CurrentCorrection<C2>, sph::VolumeContinuity<C2>,
                                    sph::VolumePressure<C2>, sph::CorrectedViscosity<C2>> {};
+struct CohesiveLiquid : sph::Fluid<sph::CohesiveFluid> {};
 struct NoSlipPlates
     : sph::Coupling<Morris, Plates, sph::Into<Plates, sph::NoSlipVelocity<C2>>, sph::NoSlipViscosity<C2>> {};
 struct CorrectedNoSlipPlates
@@ -229,6 +232,28 @@ inline Ice frozen() {
 template <class Phase>
 Phase liquid(double viscosity = 0) {
     return Phase{{.density = 1000, .sound_speed = 30, .viscosity = viscosity}};
+}
+/// A disc of a liquid whose kappa is so many times rho c^2, its surface at rest, shaken.
+inline Outcome shaken_cohesion(const Plan& plan, double times) {
+    constexpr double radius = 12 * dx;
+    using Scene = sph::Solver<2, double, sph::SymplecticEuler, CohesiveLiquid>;
+    auto water = liquid<CohesiveLiquid>();
+    const double strength = times * water.density * sph::sq(water.sound_speed);
+    water.set(sph::CohesionParameters{.surface_tension = strength * sph::detail::CohesionConstants::tension * dx});
+    std::vector<sph::Point<2>> disc;
+    for (const auto& x : sph::fill(sph::Box<2>{{-radius, -radius}, {radius, radius}}, dx))
+        if (x.norm() < radius)
+            disc.push_back(x);
+    Scene before({.support_radius = 5 * dx, .cfl = 0.3, .threads = 1});
+    before.add(water, disc, dx);
+    for (int again = 0; again < 3; ++again)
+        sph::settle_surface<CohesiveLiquid>(before);
+    const auto settled = before.get<CohesiveLiquid>()[sph::position].eval();
+    for (std::size_t i = 0; i < disc.size(); ++i)
+        disc[i] = settled.row(static_cast<Eigen::Index>(i)).transpose();
+    Scene scene({.support_radius = 5 * dx, .threads = 1});
+    const auto phase = scene.add(water, disc, dx);
+    return march_shaken<2>(scene, phase, 0.02 * std::sqrt(strength / water.density), plan);
 }
 
 /// A free body of so many particles each way of a solid with parameters of choice, shaken.

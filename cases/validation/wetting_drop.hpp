@@ -3,10 +3,10 @@
 //
 // Reference: Young's angle.
 // Geometry: a part of a disc with the area of half a disc of R = 1, cut from a lattice at an angle 30 degrees above or
-// below (at least 20); rho = sigma = 1, viscosity 0.1; the wall is 7 spacings thick.
+// below (from 20 to 160); rho = sigma = 1, viscosity 0.1; the wall is 7 spacings thick.
 // Scheme: presets::WettingLiquid, settled; sound is 20.
 // Measure: the angle at the wall of the circle through the outermost particles (density below 0.93 rho, 5 spacings
-// above the wall), 0.3 spacings outside them, the mean from t = 10 to 12.
+// above the wall), 0.94 spacings outside them, as in a free disc that holds its area; the mean from t = 10 to 12.
 #pragma once
 
 #include "case.hpp"
@@ -66,7 +66,7 @@ inline double angle_of(const Scene& scene) {
         }
     }
     const Eigen::Vector3d fit = sums.ldlt().solve(right);
-    const double radius = std::sqrt(fit[2] + sph::sq(fit[0]) + sph::sq(fit[1])) + 0.3 * spacing;
+    const double radius = std::sqrt(fit[2] + sph::sq(fit[0]) + sph::sq(fit[1])) + 0.94 * spacing;
     return std::acos(std::clamp(-fit[1] / radius, -1.0, 1.0)) * 180 / pi;
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("A plane film has the surface tension that was asked for", "[cohesion]
             }
         mean += across_less_along / (2 * width) / times; // two surfaces
     }
-    CHECK_THAT(mean, Catch::WithinRel(sigma, 0.03));
+    CHECK_THAT(mean, Catch::WithinRel(sigma, 0.02));
 }
 
 /// A disc of so many spacings.
@@ -89,8 +89,8 @@ TEST_CASE("The pressure in a drop is sigma/R over that outside", "[cohesion]") {
         count += static_cast<int>(inside.sum());
     });
     const double R = std::sqrt(static_cast<double>(scene.get<Water>().size()) / std::numbers::pi);
-    CHECK_THAT(sum / count, Catch::WithinRel(sigma / R, 0.06));
-    CHECK(scene.get<Water>()[velocity].rowwise().norm().maxCoeff() < 0.02 * std::sqrt(sigma / R));
+    CHECK_THAT(sum / count, Catch::WithinRel(sigma / R, 0.05));
+    CHECK(scene.get<Water>()[velocity].rowwise().norm().maxCoeff() < 0.05 * std::sqrt(sigma / R));
 }
 
 /// Motion, compression and cohesion, J/m.
@@ -136,7 +136,20 @@ TEST_CASE("A drop bends a free block, and both together keep their momentum", "[
     scene.add(Preset::elastic(200, 0.3, 0.8, 1), fill(Box<2>({-12, -8}, {12, 0}), 1), 1);
     scene.add(Preset::Vessel{{.density = 1, .viscosity = 0.3}}, fill(Box<2>({-12, -60}, {12, -50}), 1), 1);
     Preset::set_coefficients(scene, {.surface_tension = sigma, .contact_angle = 1.5});
-    scene.run_until(10);
+    // How much lower the block's top is in its middle than at its ends.
+    const auto dent = [&] {
+        const auto block = scene.get<Preset::Sponge>();
+        double middle = 0, ends = 0;
+        for (int i = 0; i < block.size(); ++i)
+            if (block[reference_position](i, 1) > -1) {
+                const double x = std::abs(block[reference_position](i, 0));
+                (x < 2 ? middle : ends) += x < 2 || x > 10 ? block[position](i, 1) / 4 : 0;
+            }
+        return ends - middle;
+    };
+    double bent = 0;
+    scene.run_until(10, [&](const auto&) { bent = std::max(bent, dent()); });
+    CHECK(bent > 0.05);
     const auto water = scene.get<Preset::Water>();
     const auto block = scene.get<Preset::Sponge>();
     const auto momentum = [](const auto& view) {
@@ -146,8 +159,65 @@ TEST_CASE("A drop bends a free block, and both together keep their momentum", "[
     CAPTURE(momentum(water), momentum(block));
     CHECK(size > 0.1);
     CHECK((momentum(water) + momentum(block)).norm() < 1e-12 * size);
-    // The corners of the block stay behind its middle, which the drop presses down.
-    CHECK(block[position].col(1).minCoeff() < -7.5);
+}
+
+TEST_CASE("A wall gives no energy to an inviscid pool under a high pressure", "[cohesion]") {
+    struct Pool : Fluid<CohesiveFluid> {};
+    struct Vessel : Wall<> {};
+    struct Sides : CouplingOf<Pool, Vessel> {};
+    constexpr double gravity = 2, wide = 16, deep = 16; // rho g h of 32, 3 kappa/2 of a surface tension of 1
+    Solver<2, double, SymplecticEuler, Pool, Vessel, Sides> scene({.gravity = {0, -gravity},
+                                                                   .support_radius = 5,
+                                                                   .max_time_step = 1,
+                                                                   .periodic_length = {wide, 0},
+                                                                   .threads = 1});
+    Pool pool{{.density = 1, .sound_speed = 80}};
+    pool.set(CohesionParameters{.surface_tension = 1});
+    scene.add(pool, fill(Box<2>({0, 0}, {wide, deep}), 1), 1);
+    scene.add(Vessel{{.density = 1}}, fill(Box<2>({0, -7}, {wide, 0}), 1), 1);
+    settle_surface<Pool>(scene);
+    // The lattice falls into another order, which frees some energy. From then on all of it stays.
+    const auto moving_until = [&](double end) {
+        double sum = 0;
+        int times = 0;
+        const double begin = scene.time();
+        scene.run_until(end, [&](const auto& s) {
+            if (s.time() > begin + 0.5 * (end - begin)) {
+                sum += s.template get<Pool>()[velocity].squaredNorm();
+                ++times;
+            }
+        });
+        return sum / times;
+    };
+    const double before = moving_until(120), after = moving_until(200),
+                 lowest = scene.get<Pool>()[position].col(1).minCoeff();
+    CAPTURE(before, after, lowest);
+    CHECK(after < 1.15 * before);
+    CHECK(lowest > -0.5);
+}
+
+TEST_CASE("A surface tension that is changed during a run acts", "[cohesion]") {
+    auto scene = disc(Water{{.density = 1, .sound_speed = 10, .viscosity = 0.3}}, 12, sigma);
+    settle_surface<Water>(scene);
+    scene.get<Water>().material().set(CohesionParameters{.surface_tension = 2 * sigma});
+    scene.step();
+    CHECK_THAT(scene.get<Water>()[cohesion_strength](0), Catch::WithinRel(2 * strength, 1e-12));
+}
+
+TEST_CASE("The pull of a wall follows from the contact angle", "[cohesion]") {
+    const auto share = [](double degrees) {
+        return Adhesion::prepare(Preset::Water{{.spacing = 1}}, Preset::Vessel{{.spacing = 1}}, Lattice<2>{1, 5},
+                                 AdhesionParameters{.contact_angle = degrees * std::numbers::pi / 180})
+            .share;
+    };
+    for (double degrees = 30; degrees < 150; degrees += 1) {
+        CHECK(share(degrees) > share(degrees + 1));
+        CHECK(share(degrees) < share(degrees + 1) + 0.02);
+    }
+    CHECK(share(150) > 0);
+    CHECK_THROWS_WITH(Adhesion::prepare(Preset::Water{{.spacing = 1}}, Preset::Vessel{{.spacing = 1.5}},
+                                        Lattice<2>{1, 5}, AdhesionParameters{}),
+                      imbibe_test::contains("Adhesion: a wall or solid with a spacing of 1.5 m"));
 }
 
 TEST_CASE("What the constants of cohesion do not hold for is refused", "[cohesion]") {
@@ -156,6 +226,17 @@ TEST_CASE("What the constants of cohesion do not hold for is refused", "[cohesio
     water.set(CohesionParameters{.surface_tension = sigma});
     scene.add(water, fill(Box<2>({0, 0}, {8, 8}), 1), 1);
     CHECK_THROWS_WITH(scene.step(), imbibe_test::contains("a support radius of 3 spacings beside Cohesion"));
+    struct Bare : Fluid<CohesivePressure, SummationDensity<K>, SymmetricPressure<K>> {};
+    Solver<2, double, SymplecticEuler, Bare> bare({.support_radius = 5, .max_time_step = 1, .threads = 1});
+    bare.add(Bare{{.density = 1, .sound_speed = 10}}, fill(Box<2>({0, 0}, {8, 8}), 1), 1);
+    CHECK_THROWS_WITH(bare.step(), imbibe_test::contains("list the method CohesiveFluid"));
+    struct Floor : Wall<> {};
+    struct Half : Coupling<Inviscid, Floor, Adhesion> {};
+    Solver<2, double, SymplecticEuler, Inviscid, Floor, Half> half(
+        {.support_radius = 5, .max_time_step = 1, .threads = 1});
+    half.add(water, fill(Box<2>({0, 0}, {8, 8}), 1), 1);
+    half.add(Floor{{.density = 1}}, fill(Box<2>({0, -7}, {8, 0}), 1), 1);
+    CHECK_THROWS_WITH(half.step(), imbibe_test::contains("CouplingOf a fluid with the method CohesiveFluid"));
     CHECK_THROWS_WITH(CohesionParameters{.surface_tension = -1}.check("Water"),
                       imbibe_test::contains("surface_tension = -1 N/m"));
     CHECK_THROWS_WITH(AdhesionParameters{.contact_angle = 60}.check("Sides"),

@@ -3,6 +3,7 @@
 
 #include <imbibe/core/error.hpp>
 #include <imbibe/core/lattice.hpp>
+#include <imbibe/core/method.hpp>
 #include <imbibe/core/term.hpp>
 #include <imbibe/fluid/summation_density.hpp>
 #include <imbibe/fluid/symmetric_pressure.hpp>
@@ -42,6 +43,11 @@ struct PreparedCohesion {
     double inner = 0;    ///< p_i, Pa
 };
 
+struct CohesivePressure;
+struct Cohesion;
+struct CohesiveContact;
+struct Adhesion;
+
 namespace detail {
 
 // Constants of Cohesion, all for WendlandC6: they hold at any spacing, for these reaches alone. Others have a lattice
@@ -65,11 +71,43 @@ PreparedCohesion prepared_cohesion(const auto& material, const CohesionParameter
     return {.strength = strength, .inner = 0.5 * strength * virial(Constants::reach) / virial(Constants::support)};
 }
 
+// Throws Error if something of CohesiveFluid is missing.
+template <class Fluid>
+void check_cohesive(const Fluid&, std::string_view where) {
+    using Terms = typename Fluid::terms;
+    require(
+        contains<CohesivePressure, Terms> && contains<Cohesion, Terms> &&
+            contains<SummationDensity<WendlandC6>, Terms> && contains<SymmetricPressure<WendlandC6>, Terms>,
+        where,
+        ": one of CohesivePressure, Cohesion, SummationDensity<WendlandC6> and SymmetricPressure<WendlandC6> without "
+        "the others; list the method CohesiveFluid, which has all of them");
+}
+// Throws Error if something of its coupling is missing.
+template <class Coupling>
+void check_wetting(const Coupling&, std::string_view where) {
+    using Terms = typename Coupling::terms;
+    using First = typename Coupling::First;
+    using Liquid = std::conditional_t<is_fluid<First>, First, typename Coupling::Second>;
+    require(
+        contains<CohesiveContact, Terms> && contains<Adhesion, Terms> &&
+            contains<Into<Liquid, SummationNeighbours<WendlandC6>>, Terms>,
+        where,
+        ": one of CohesiveContact, Adhesion and, Into the liquid, SummationNeighbours<WendlandC6> without the others; "
+        "take CouplingOf a fluid with the method CohesiveFluid, which has all of them");
+}
+
 // V_a V_b/m_a of a pair times the gradient of the kernel, m^2/kg (m/kg in 2D) without the offset.
 IMBIBE_INLINE constexpr auto slope(const auto& a, const auto& b, const auto& ab) {
     return b[mass] * (1 / (a.material.density * b.material.density)) * ab.gradient(WendlandC6{});
 }
-// That of the two which is the liquid.
+// That of two materials, or of two particles, which is the liquid.
+template <class A, class B>
+constexpr const auto& liquid_among(const A& a, const B& b) {
+    if constexpr (is_fluid<A>)
+        return a;
+    else
+        return b;
+}
 IMBIBE_INLINE constexpr const auto& liquid_of(const auto& a, const auto& b) {
     if constexpr (is_fluid<typename std::remove_cvref_t<decltype(a)>::Material>)
         return a;
@@ -79,14 +117,13 @@ IMBIBE_INLINE constexpr const auto& liquid_of(const auto& a, const auto& b) {
 
 } // namespace detail
 
-/// p = p_i (rho/rho_0)^4 + c^2 max(rho - rho_0, 0), in Pa: an equation of state for a liquid with Cohesion, whose pull
-/// p_i balances at rho_0. Never negative; the first part acts where density is below rho_0, so that the tension does
-/// not depend on c.
+/// p = p_i (rho/rho_0)^4 + c^2 max(rho - rho_0, 0), in Pa: an equation of state for a liquid with Cohesion. Never
+/// negative. Below rho_0 only the first part acts, so the tension does not depend on c. At rho_0 it equals the pull of
+/// the neighbours: p_i is 5.2 sigma/spacing.
 ///
-/// p_i is about 6 sigma/spacing. The pressure of the liquid is what is left of p without the pull: CohesionVirial and
-/// PressureVirial together.
+/// The pressure of the liquid is what is left of p without that pull: LiquidPressure.
 ///
-/// Not without SummationDensity and Cohesion.
+/// Not without Cohesion (an error). Its energy is not among those that `energies` adds up: half of it is that of pairs.
 ///
 /// Source: own; pressure and cohesion of different range, Nugent and Posch (2000).
 struct CohesivePressure {
@@ -112,12 +149,15 @@ struct CohesivePressure {
         return detail::prepared_cohesion<dim>(material, parameters);
     }
 
+    /// Throws Error without Cohesion. @param owner the fluid, @param where its name in the message
+    static void check(const auto& owner, std::string_view where) { detail::check_cohesive(owner, where); }
+
     static constexpr const char* limit_name = "sound";
-    /// That of sound with c^2 + kappa/rho_0 in place of c^2, s.
+    /// That of sound with c^2 + 3 kappa/rho_0 in place of c^2, s: the slope of p and of the pull at the surface.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double strength = parameters.surface_tension / (detail::CohesionConstants::tension * in.spacing);
         return std::max(in.spacing, 0.6 * in.support_radius) /
-               (std::sqrt(sq(material.sound_speed) + strength / material.density) + in.max_speed);
+               (std::sqrt(sq(material.sound_speed) + 3 * strength / material.density) + in.max_speed);
     }
 };
 
@@ -126,19 +166,19 @@ struct CohesivePressure {
 /// that; at its surface the particles inside pull those outside, which is the surface tension sigma. Equal and
 /// opposite: momentum is conserved exactly.
 ///
-/// In a fluid with CohesivePressure, SummationDensity<WendlandC6> and SymmetricPressure<WendlandC6>; the method
-/// CohesiveFluid lists them. All three follow from one energy of the positions, so a liquid at rest keeps no stress but
-/// that of its surface, and drops slide without sticking to the lattice.
+/// In a fluid with CohesivePressure, SummationDensity<WendlandC6> and SymmetricPressure<WendlandC6> (an error if not);
+/// the method CohesiveFluid lists them. All follow from one energy of the positions. With these supports a lattice of
+/// particles hardly resists shear, so drops flow as a liquid does.
 ///
-/// The scene's support radius is 5 spacings (an error if not): kappa holds for that alone, at any spacing.
-/// docs/validation.md has the accuracy (free-drop). The outermost particles lie closer along the surface than across
-/// it; a start on a lattice releases energy until they do: see settle() of presets::WettingLiquid.
+/// The fluid's support radius is 5 spacings (an error if not): kappa holds for that alone, at any spacing.
+/// docs/validation.md has the accuracy (free-drop, free-ball). The outermost particles lie closer along the surface
+/// than across it; a start on a lattice releases energy until they do: see settle_surface.
 ///
-/// Not for a film thinner than 6 spacings, whose two surfaces feel each other. Not with a second liquid:
+/// Not for films thinner than 6 spacings, whose two surfaces feel each other. Not with a second liquid:
 /// InterfaceTension.
 ///
-/// Source: own, with constants found on plane films (tests/interface). Attraction by pairs: Nugent and Posch (2000),
-/// Tartakovsky and Meakin (2005).
+/// Source: own, with a constant found on plane films (tests/terms/test_cohesion.cpp). Attraction by pairs: Nugent and
+/// Posch (2000), Tartakovsky and Meakin (2005).
 struct Cohesion : NotStiff { // CohesivePressure limits the step
     using Parameters = CohesionParameters;
     using Prepared = PreparedCohesion;
@@ -172,27 +212,22 @@ struct Cohesion : NotStiff { // CohesivePressure limits the step
     /// Throws Error if the support radius is not 5 spacings or what belongs to it is missing. @param owner the fluid,
     /// @param where its name in the message
     static void check(const auto& owner, std::string_view where) {
-        using Terms = typename std::remove_cvref_t<decltype(owner)>::terms;
-        require(detail::contains<CohesivePressure, Terms> && detail::contains<SummationDensity<WendlandC6>, Terms> &&
-                    detail::contains<SymmetricPressure<WendlandC6>, Terms>,
-                where,
-                ": Cohesion without CohesivePressure, SummationDensity<WendlandC6> and SymmetricPressure<WendlandC6>; "
-                "list the method CohesiveFluid, which has all of them");
+        detail::check_cohesive(owner, where);
         const double given = owner.support_radius / owner.spacing, needed = detail::CohesionConstants::support;
         require(!(owner.spacing > 0) || std::abs(given - needed) < 0.01, where, ": a support radius of ", given,
                 " spacings beside Cohesion; it must be ", needed, " spacings, for which its constants hold");
     }
 };
 
-/// dv_a/dt = - 1/m_a sum_b V_a V_b (P + max(P, kappa/2)) grad_a W_ab, in m/s^2, with P = p (rho_0/rho)^2 of the liquid
-/// of the pair and the volumes V = m/rho_0: the pressure between a liquid with Cohesion and a wall or a solid, in their
+/// dv_a/dt = - 1/m_a sum_b V_a V_b (P + kappa/2) grad_a W_ab, in m/s^2, with P = p (rho_0/rho)^2 of the liquid of the
+/// pair and the volumes V = m/rho_0: the pressure between a liquid with Cohesion and a wall or a solid, in their
 /// coupling, beside Adhesion and, `Into` the liquid, SummationNeighbours. Equal and opposite: it pushes solids too.
 ///
-/// P is the work on the liquid's density, in which the wall counts. The wall answers with the pressure of a frozen
-/// liquid, kappa/2, and with that of the liquid where it is higher. Without such a pressure the three follow from an
-/// energy of the positions, so a still wall neither adds energy nor takes any.
+/// The wall's particles count in the liquid's density: this gives P. The wall adds kappa/2, the pressure of a liquid at
+/// rest. With Adhesion both derive from an energy of the positions: still walls neither add energy nor take any, and
+/// with solids none is lost. Under a pressure of some kappa/2 the lowest particles lie half a spacing deeper.
 ///
-/// Not without the others.
+/// Not without the others (an error).
 ///
 /// Source: own.
 struct CohesiveContact {
@@ -204,10 +239,14 @@ struct CohesiveContact {
         IMBIBE_INLINE constexpr auto operator()(const auto& a, const auto& b, const auto& ab) const {
             const auto& liquid = detail::liquid_of(a, b);
             const auto P = sq(liquid.material.density) * liquid[pressure_over_density2];
-            return along(ab, -(P + max(P, 0.5 * liquid[cohesion_strength])) * detail::slope(a, b, ab));
+            return along(ab, -(P + 0.5 * liquid[cohesion_strength]) * detail::slope(a, b, ab));
         }
     };
     using parts = Parts<Push>;
+
+    /// Throws Error if what belongs to it is missing. @param coupling of a liquid and a wall or solid, @param where its
+    /// name in the message
+    static void check(const auto& coupling, std::string_view where) { detail::check_wetting(coupling, where); }
 
     static constexpr const char* limit_name = "pressure between phases";
     /// That of interface_time_step, s.
@@ -264,14 +303,19 @@ struct Adhesion : NotStiff { // CohesivePressure limits the step
 
     /// 6.25 spacings of the liquid, m.
     static double support_radius(const auto& material_a, const auto& material_b) {
-        if constexpr (detail::is_fluid<std::remove_cvref_t<decltype(material_a)>>)
-            return Cohesion::support_radius(material_a);
-        else
-            return Cohesion::support_radius(material_b);
+        return Cohesion::support_radius(detail::liquid_among(material_a, material_b));
     }
-    /// s.
+    /// Throws Error if what belongs to it is missing. @param coupling of a liquid and a wall or solid, @param where its
+    /// name in the message
+    static void check(const auto& coupling, std::string_view where) { detail::check_wetting(coupling, where); }
+    /// s. Throws Error for a wall or a solid that is coarser than the liquid.
     template <int dim>
-    static Prepared prepare(const auto&, const auto&, const Lattice<dim>&, const Parameters& parameters) {
+    static Prepared prepare(const auto& material_a, const auto& material_b, const Lattice<dim>&,
+                            const Parameters& parameters) {
+        const double coarser = std::max(material_a.spacing, material_b.spacing),
+                     liquid = detail::liquid_among(material_a, material_b).spacing;
+        require(coarser < 1.01 * liquid, "Adhesion: a wall or solid with a spacing of ", coarser,
+                " m at a liquid with one of ", liquid, " m; place it with a spacing of at most that");
         return {.share = share_at(parameters.contact_angle * (180 / std::numbers::pi))};
     }
 

@@ -102,8 +102,8 @@ struct InterfaceTensionParameters {
 ///
 /// docs/validation.md has the accuracy of waves (capillary-wave), drops (sessile-drop) and bubbles (rising-bubble).
 ///
-/// Not for a liquid without a second fluid around it: give it a gas of a hundredth of its density. Not for three fluids that meet: where two interfaces of one fluid
-/// come near each other, it has only one G.
+/// Not for a liquid without a second fluid around it: give it a gas of a hundredth of its density. Not for three fluids
+/// that meet: where two interfaces of one fluid come near each other, it has only one G.
 ///
 /// Source: Lafaurie, Nardone, Scardovelli, Zaleski and Zanetti (1994) for the stress; Hu and Adams (2006), with the
 /// colour of the other fluid alone.
@@ -181,9 +181,9 @@ struct PreparedContactAngle {
 ///
 ///     f_a = 2/(1 - s_a) (c_a G_t + |G_t|^2/|G_a| n_a),    G_t = (1 - n_a (x) n_a) G_a,
 ///
-/// with G of InterfaceTension, the share s_a = sum_b V_b W_ab of walls and solids and their direction n_a, that of g_a =
-/// sum_b V_b grad_a W_ab, and c_a = cos theta, their mean where there are several. `Into` each of the two fluids, in its
-/// coupling with the wall or solid, beside ContactLineForce.
+/// with G of InterfaceTension, the share s_a = sum_b V_b W_ab of walls and solids and their direction n_a, that of g_a
+/// = sum_b V_b grad_a W_ab, and c_a = cos theta, their mean where there are several. `Into` each of the two fluids, in
+/// its coupling with the wall or solid, beside ContactLineForce.
 ///
 /// Along the surface the line is pulled with sigma cos theta per length, towards the other fluid if theta is below 90
 /// degrees: at rest that balances the interface at the angle theta (Young 1805). In the direction into the solid it is

@@ -57,6 +57,8 @@ struct CohesionVirial {
     };
     using parts = Parts<Sum>;
 
+    /// Throws Error without Cohesion. @param owner the fluid, @param where its name in the message
+    static void check(const auto& owner, std::string_view where) { detail::check_cohesive(owner, where); }
     /// That of Cohesion, m.
     static double support_radius(const auto& material) { return Cohesion::support_radius(material); }
     /// kappa.
@@ -67,14 +69,13 @@ struct CohesionVirial {
 };
 
 /// p_a = 1/(2 dim V_a) sum_b x_ab.f_ab, in Pa, with the forces f_ab of SymmetricPressure and Cohesion: the field
-/// liquid_pressure, the pressure in a liquid over that outside, sigma/R in a drop. (`pressure` has the pull's
-/// counterweight in it, 6 sigma/spacing.) Lists nothing that acts: leave it out to save its time, that of the two
-/// forces.
+/// liquid_pressure, the pressure in a liquid over that outside, sigma/R in a drop. (`pressure` also contains p_i, 5.2
+/// sigma/spacing.) It changes no motion; it costs as much as the two forces.
 ///
 /// Not within 6.25 spacings of a surface, a wall or a solid: there it is one part of a stress with a direction. Take
 /// its mean over many particles.
 ///
-/// Source: Clausius (1870), the virial; per particle, Tartakovsky and Panchenko (2016).
+/// Source: Clausius (1870), the virial.
 struct LiquidPressure : Method<PressureVirial, CohesionVirial> {};
 
 } // namespace imbibe
