@@ -88,6 +88,8 @@ struct SlabNormal : PlateWith<ReferenceSurfaceNormal<K>> {};
 struct WaterBelow : WaterWith<> {};
 struct Drop : WaterWith<InterfaceForce<K>> {};
 struct DropBelow : WaterWith<InterfaceForce<K>> {};
+struct Cohesive : Fluid<CohesiveFluid> {};
+struct CohesiveReading : Fluid<CohesiveFluid, LiquidPressure> {};
 struct Warm : WaterWith<Melting, HeatConduction<K>, Boussinesq> {};
 struct Seeping : Fluid<InPores<>, SeepingFluid<K>> {};
 struct Skeleton : Solid<ReferenceCorrection<K>, DeformationGradient<K>, PorousSkeleton<>, TotalLagrangianForce<K>> {};
@@ -129,6 +131,7 @@ struct Layers : LayersOf<Water, WaterBelow> {};
 struct LayersTension : LayersOf<Drop, DropBelow, InterfaceTension<K>, InterfaceForce<K>> {};
 struct DropFloor : ExtrapolationOf<Drop, Floor> {};
 struct DropFloorAngle : ExtrapolationOf<Drop, Floor, Into<Drop, ContactAngle<K>>, ContactLineForce<K>> {};
+struct CohesiveFloor : CouplingOf<Cohesive, Floor> {};
 struct WarmFloor : ExtrapolationOf<Warm, Floor> {};
 struct WarmFloorBuoyant : ExtrapolationOf<Warm, Floor, Into<Floor, BoussinesqExtrapolation<K>>> {};
 struct WarmFloorFrozen : ExtrapolationOf<Warm, Floor, Into<Warm, FrozenDrag<K>>> {};
@@ -157,6 +160,10 @@ P material() {
             fluid.set(SummationRelaxationParameters{.time = 1}); // it has no default
         if constexpr (std::is_same_v<P, WaterPaste>)
             fluid.set(CarreauParameters{.at_rest = 0.056, .fast = 0.00345, .time = 3.313, .exponent = 0.3568}); // blood
+        if constexpr (detail::contains<Cohesion, typename P::terms>) {
+            fluid.set(CohesionParameters{.surface_tension = 0.072});
+            fluid.support_radius = detail::CohesionConstants::support * bench::spacing;
+        }
         if constexpr (detail::contains<HeatCapacity, typename P::terms>)
             fluid.set(HeatParameters{.heat_capacity = 4186, .heat_conductivity = 0.6});
         if constexpr (detail::contains<Melting, typename P::terms>) // in mush, where all of it has something to do
@@ -305,6 +312,12 @@ Cases all_cases() {
     add<WaterIce>(cases, "`Melting` and `HeatConduction`", "what melts and freezes");
     add<WaterIceAtRest>(cases, "the same with `EnthalpyPorosity`", "ice in a mould that rests");
     add<WaterIceElastic>(cases, "the same with `FrozenStress` and `VelocityGradient`", "ice that moves and bends");
+    add<Cohesive>(cases,
+                  "a liquid with the method `CohesiveFluid` and a support of 5 spacings: `CohesivePressure`, "
+                  "`SummationDensity`, `SymmetricPressure`, `Cohesion`",
+                  "surface tension without a gas; what the rows below are compared with");
+    add<CohesiveReading>(cases, "`LiquidPressure`, whose sums are `PressureVirial` and `CohesionVirial`",
+                         "the pressure in a drop, to be looked at");
     add<Rubber>(
         cases,
         "a solid with a stress rate: `LinearState`, `Continuity`, `VelocityGradient`, `JaumannStress`, `StressForce`",
@@ -371,6 +384,8 @@ Cases all_cases() {
         cases, "such a fluid on a floor with `PressureExtrapolation`", "what the row below is compared with");
     add<DropFloorAngle, OnTop<Drop, Floor, DropBelow, LayersTension, DropFloorAngle>>(
         cases, "`ContactAngle` and `ContactLineForce`", "the angle at which an interface meets walls and solids");
+    add<CohesiveFloor, OnTop<Cohesive, Floor, CohesiveFloor>>(cases, "a floor, with `CohesiveContact` and `Adhesion`",
+                                                              "drops and menisci of one liquid on walls that it wets");
     add_contact<WarmFloor>(
         cases, "a fluid with `Melting`, `HeatConduction` and `Boussinesq` on a floor with `PressureExtrapolation`",
         "what the rows below are compared with");

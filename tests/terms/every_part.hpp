@@ -28,6 +28,7 @@
 #include <imbibe/heat/heat_flux.hpp>
 #include <imbibe/heat/surface_temperature.hpp>
 #include <imbibe/interface/interface_tension.hpp>
+#include <imbibe/interface/liquid_pressure.hpp>
 #include <imbibe/kernels/poly6.hpp>
 #include <imbibe/mixture/darcy_drag.hpp>
 #include <imbibe/mixture/pore_pressure.hpp>
@@ -71,6 +72,17 @@ struct SomeInterface : InterfaceTension<>::Sum {
     constexpr SomeInterface() { parameters.surface_tension = 2; }
 };
 
+/// Cohesion and adhesion of some strength, without which they are 0.
+struct SomeCohesion : Cohesion::Pull {
+    constexpr SomeCohesion() { prepared.strength = 2; }
+};
+struct SomeAdhesion : Adhesion::Pull {
+    constexpr SomeAdhesion() { prepared.share = 0.5; }
+};
+struct SomeCohesionVirial : CohesionVirial::Sum {
+    constexpr SomeCohesionVirial() { prepared.strength = 2; }
+};
+
 template <int dim>
 using EveryPairPart = TypeList<
     Case<Continuity<Spiky>, Water, Water, false>, Case<Continuity<Poly6, smoothed_velocity>, Sponge, Sponge, false>,
@@ -104,12 +116,15 @@ using EveryPairPart = TypeList<
     Case<TransportAdvection<>, Water, Water, false>,
     Case<GeneralisedNewtonianViscosity<Carreau>::Sum, Water, Water, false>,
     Case<GeneralisedNewtonianViscosity<Carreau>::Push, Water, Water, true>, Case<SomeInterface, Water, Water, false>,
-    Case<InterfaceForce<>::Pull, Water, Water, true>, Case<ContactLineForce<>::Pull, Water, Sponge, true>,
-    Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>, Case<NoSlipApparentViscosity<>, Water, Sponge, true>,
-    Case<HeatConduction<>::Conduct, Water, Water, false>, Case<HeatTransfer<>::Conduct, Water, Sponge, false>,
-    Case<EnthalpyAdvection<>::Carry, Water, Water, false>, Case<FrozenStress<>::Pull, Water, Water, true>,
-    Case<FrozenDrag<>::Drag::Rate, Water, Sponge, false>, Case<FrozenDrag<>::Drag::Slow, Water, Sponge, false>,
-    Case<PorePressure<>::Push, Water, Sponge, true>, Case<PoreDensityDiffusion<>::Smooth, Water, Water, false>,
+    Case<SomeCohesion, Water, Water, true>, Case<CohesiveContact::Push, Water, Sponge, true>,
+    Case<SomeAdhesion, Water, Sponge, true>, Case<PressureVirial::Sum, Water, Water, false>,
+    Case<SomeCohesionVirial, Water, Water, false>, Case<InterfaceForce<>::Pull, Water, Water, true>,
+    Case<ContactLineForce<>::Pull, Water, Sponge, true>, Case<NoSlipStrainRate<>::Sum, Water, Sponge, false>,
+    Case<NoSlipApparentViscosity<>, Water, Sponge, true>, Case<HeatConduction<>::Conduct, Water, Water, false>,
+    Case<HeatTransfer<>::Conduct, Water, Sponge, false>, Case<EnthalpyAdvection<>::Carry, Water, Water, false>,
+    Case<FrozenStress<>::Pull, Water, Water, true>, Case<FrozenDrag<>::Drag::Rate, Water, Sponge, false>,
+    Case<FrozenDrag<>::Drag::Slow, Water, Sponge, false>, Case<PorePressure<>::Push, Water, Sponge, true>,
+    Case<PoreDensityDiffusion<>::Smooth, Water, Water, false>,
     Case<detail::ReactionTo<VolumePressure<>::Push>, Sponge, Water, false>,
     Case<detail::ReactionTo<NoSlipViscosity<>>, Sponge, Water, false>>;
 

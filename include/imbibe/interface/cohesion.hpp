@@ -277,15 +277,15 @@ struct PreparedAdhesion {
 /// dv_a/dt = s kappa/m_a sum_b V_a V_b grad_a W_ab, in m/s^2, with kappa, V and W of Cohesion: the pull between a
 /// liquid with Cohesion and a wall or a solid, in their coupling. Equal and opposite: it pulls solids too.
 ///
-/// s rises from 0.47 at 150 degrees over 0.86 at 90 to 1.08 at 30, by the angles of drops of 36 spacings a radius.
-/// Lines that advance and lines that recede come to rest within 4 degrees of each other from 80 degrees on. Below 70 a
-/// line that recedes stops up to 20 degrees lower: there the lowest particles lie between those of the wall. TwoLiquids
-/// with a gas has no such difference, at twice the particles. docs/validation.md has the accuracy (wetting-drop,
-/// wetting-rise).
+/// s rises from 0.47 at 150 degrees over 0.86 at 90 to 1.08 at 30, by the angles of drops of 36 spacings a radius, in
+/// the plane. Lines that advance and lines that recede come to rest within 5 degrees of each other from 80 degrees on.
+/// Below 70 degrees a line that recedes stops up to 20 degrees lower: there the lowest particles lie between those of
+/// the wall. TwoLiquids with a gas has no such difference, at twice the particles. docs/validation.md has the accuracy
+/// (wetting-drop, wetting-rise).
 ///
-/// Not for walls and solids thinner than 6.25 spacings, or of another spacing than the liquid's.
+/// Not for walls and solids thinner than 6.25 spacings, nor (an error) coarser than the liquid.
 ///
-/// Source: own; the angle by the work of adhesion, Young (1805) and Dupre (1869).
+/// Source: own, with measured s. That adhesion sets the angle: Young (1805), Dupre (1869).
 struct Adhesion : NotStiff { // CohesivePressure limits the step
     using Parameters = AdhesionParameters;
     using Prepared = PreparedAdhesion;
@@ -320,10 +320,12 @@ struct Adhesion : NotStiff { // CohesivePressure limits the step
     }
 
 private:
-    // s at an angle, degrees: between measured pairs of both, on straight lines.
+    // s at an angle, degrees, on straight lines between pairs measured as in cases/validation/wetting_drop.hpp: the
+    // mean of two starts, in the plane.
     static double share_at(double degrees) {
-        static constexpr double angles[] = {150, 146, 132.5, 119.3, 102.2, 92.4, 81.4, 69.4, 55.6, 45.3, 34.65, 29.2},
-                                shares[] = {0.47, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 1.0, 1.03, 1.06, 1.08};
+        static constexpr double angles[] = {150.8, 147.1, 141.3, 132.2, 119.2, 101.9, 92.6,
+                                            81.4,  69.8,  55.9,  45.4,  34.2,  29.2},
+                                shares[] = {0.47, 0.5, 0.55, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 1.0, 1.03, 1.06, 1.08};
         std::size_t i = 1;
         while (i + 1 < std::size(angles) && angles[i] > degrees)
             ++i;
