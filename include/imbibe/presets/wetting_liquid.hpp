@@ -2,6 +2,7 @@
 // capillary rise, a sponge that drinks. A program that needs nothing else composes no scene.
 #pragma once
 
+#include <imbibe/coupling/kernel_repulsion.hpp>
 #include <imbibe/fluid/morris_viscosity.hpp>
 #include <imbibe/interface/settle_surface.hpp>
 #include <imbibe/kernels/wendland.hpp>
@@ -25,7 +26,7 @@ namespace imbibe::presets {
 struct WettingLiquid {
     /// The kernel of the liquid's terms.
     using K = WendlandC6;
-    struct Water : Fluid<CohesiveFluid, MorrisViscosity<K>> {};
+    struct Water : Fluid<CohesiveFluid, MorrisViscosity<K>, KernelRepulsion<>> {};
     struct Vessel : Wall<> {};
     using Sponge = SpongeInTwoLiquids::Sponge;
     /// Between the liquid and walls or a sponge.
@@ -49,17 +50,24 @@ struct WettingLiquid {
         double surface_tension = 0;                    ///< sigma, N/m
         double contact_angle = 0.5 * std::numbers::pi; ///< with walls and sponge, rad, measured in the water
     };
-    /// The coefficients, set after everything was added.
+    /// The coefficients, set after everything was added: of the surface, of its contact, and of a repulsion below half
+    /// a spacing, which keeps the particles of small drops apart.
     template <int dim, class Real>
     static void set_coefficients(Scene<dim, Real>& scene, const Interface& interface) {
-        scene.template get<Water>().material().set(CohesionParameters{.surface_tension = interface.surface_tension});
+        set_surface(scene.template get<Water>().material(), interface);
         set_contact_angle<Vessel>(scene, interface);
     }
     template <int dim, class Real>
     static void set_coefficients(ElasticScene<dim, Real>& scene, const Interface& interface) {
-        scene.template get<Water>().material().set(CohesionParameters{.surface_tension = interface.surface_tension});
+        set_surface(scene.template get<Water>().material(), interface);
         set_contact_angle<Vessel>(scene, interface);
         set_contact_angle<Sponge>(scene, interface);
+    }
+    /// Those of the liquid alone, with its spacing.
+    static void set_surface(auto& liquid, const Interface& interface) {
+        detail::require_positive(liquid.spacing, "WettingLiquid::set_surface", "spacing", "m");
+        liquid.set(CohesionParameters{.surface_tension = interface.surface_tension});
+        liquid.set(KernelRepulsionParameters{.stiffness = interface.surface_tension / liquid.spacing, .range = 0.5});
     }
     /// That with one kind of body, Vessel or Sponge.
     template <class Body>

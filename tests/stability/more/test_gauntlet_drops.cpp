@@ -1,4 +1,6 @@
-// Drops of a liquid in another one: one that is left alone for very many steps, and one that hits a soft plate.
+// Drops, of a liquid in another one and of one liquid with nothing around it: left alone for very many steps, and
+// thrown on a soft plate.
+#include <cases/validation/free_drop.hpp>
 #include <cases/validation/sessile_drop.hpp>
 
 #include <imbibe/geometry/box.hpp>
@@ -6,6 +8,7 @@
 #include <imbibe/geometry/tank.hpp>
 #include <imbibe/monitor/guard.hpp>
 #include <imbibe/presets/sponge_in_two_liquids.hpp>
+#include <imbibe/presets/wetting_liquid.hpp>
 
 #include <catch_shim.hpp>
 
@@ -89,6 +92,59 @@ TEST_CASE("A drop that hits a soft plate bends it, and neither enters it", "[sta
     CHECK(between > 0.5 * spacing);
     CHECK(nearest(wet) > 0.4 * spacing);
     CHECK(wet[sph::position].col(1).minCoeff() > low + thick - deepest - spacing);
+}
+
+TEST_CASE("A free drop keeps its particles apart and its shape for 100,000 steps", "[stability]") {
+    namespace drops = validation::free_drop;
+    auto scene = drops::drop<2>(6, 0.03, [](const auto& x) { return x.norm() < 1; });
+    for (int i = 0; i < 100000; ++i)
+        scene.step();
+    const auto drop = scene.get<drops::Water>();
+    const double apart = 6 * nearest(drop), speed = drop[sph::velocity].rowwise().norm().maxCoeff();
+    const double farthest =
+        (drop[sph::position].rowwise() - drop[sph::position].colwise().mean()).rowwise().norm().maxCoeff();
+    CAPTURE(scene.time(), apart, speed, farthest);
+    CHECK(apart > 0.45);  // along the surface they lie about so close
+    CHECK(speed < 0.001); // sqrt(sigma/(rho R))
+    CHECK(farthest < 1.05);
+}
+
+TEST_CASE("A free drop that hits a soft plate bends it, and neither enters it", "[stability]") {
+    using Free = sph::presets::WettingLiquid;
+    const double spacing = 1.0 / 16, thick = 8 * spacing, R = 0.5;
+    Free::ElasticScene<2, double> scene({.support_radius = 5 * spacing, .threads = 1});
+    std::vector<Point> drop;
+    const Point centre(0, thick + R + 7 * spacing);
+    for (const auto& x : sph::fill(sph::Box<2>({-1, 0}, {1, 3}), spacing))
+        if ((x - centre).norm() < R)
+            drop.push_back(x);
+    scene.add(Free::Water{{.density = 1, .sound_speed = 60, .viscosity = 0.03}}, drop, spacing);
+    const sph::Box<2> plate({-2, 0}, {2, thick});
+    const auto body = scene.add(Free::elastic(2000, 0.3, 1, spacing), sph::fill(plate, spacing), spacing);
+    scene.add(Free::Vessel{{.density = 1}}, sph::fill(sph::Box<2>({-2, -3}, {2, -2}), spacing), spacing); // far below
+    Free::set_coefficients(scene, {.surface_tension = 1, .contact_angle = std::numbers::pi / 2});
+    scene.hold(body, [](const Point& x) { return std::abs(x[0]) > 1.7; });
+    sph::settle_surface<Free::Water>(scene);
+    scene.get<Free::Water>()[sph::velocity].col(1).setConstant(-6); // a Weber number of 18 with R
+    double deepest = 0;
+    scene.run_until(scene.time() + 1.5, [&](const auto& s) {
+        deepest = std::max(deepest, 0.5 * spacing - s.template get<Free::Sponge>()[sph::position].col(1).minCoeff());
+    });
+    const auto wet = scene.get<Free::Water>();
+    const auto solid = scene.get<Free::Sponge>();
+    double between = 1e9;
+    for (int i = 0; i < wet.size(); ++i)
+        between = std::min(
+            between, (solid[sph::position].rowwise() - wet[sph::position].row(i).eval()).rowwise().norm().minCoeff());
+    const double lowest = wet[sph::position].col(1).minCoeff();
+    const double densest = wet[sph::density].maxCoeff();
+    CAPTURE(deepest / spacing, between / spacing, nearest(wet) / spacing, densest, lowest);
+    CHECK(deepest > 0.05 * spacing);
+    CHECK(deepest < 8 * spacing);
+    CHECK(between > 0.4 * spacing);
+    CHECK(nearest(wet) > 0.4 * spacing);
+    CHECK(densest < 1.1);
+    CHECK(lowest > thick - deepest - spacing);
 }
 
 } // namespace drops_test
