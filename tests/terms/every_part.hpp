@@ -173,7 +173,8 @@ Particle<dim, Number<double>, Material> ready_particle(Dice& dice, Vector<Number
     p.set(shear_scale, dice(0.9, 1.1)).set(isotropic_piola_stress, t);
     p.set(interface_stress, symmetric_part(t))
         .set(solid_direction, dice.vector<dim>(1))
-        .set(contact_line_pull, dice.vector<dim>(1e3));
+        .set(contact_line_pull, dice.vector<dim>(1e3))
+        .set(cohesion_strength, dice(500, 1500));
     p.set(transport_correction, dice.vector<dim>(0.1)).set(apparent_viscosity, dice(1e-3, 1));
     p.set(enthalpy, dice(-1e3, 1e3)).set(temperature, dice(-20, 20)).set(conductivity, dice(0.1, 3));
     p.set(conduction_potential, dice(-20, 20)).set(conduction_correction, dice(1, 2));
