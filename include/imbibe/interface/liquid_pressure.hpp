@@ -25,7 +25,9 @@ IMBIBE_INLINE constexpr auto virial(const auto& force, const auto& a, const auto
 }
 } // namespace detail
 
-/// The part of SymmetricPressure in LiquidPressure.
+/// The part of SymmetricPressure<WendlandC6> in LiquidPressure, Pa. Not without CohesionVirial, whose part is as large.
+///
+/// Source: see LiquidPressure.
 struct PressureVirial {
     struct Sum {
         using reads = Fields<mass, density, pressure_over_density2>;
@@ -41,7 +43,9 @@ struct PressureVirial {
     static constexpr bool within_phases = true;
 };
 
-/// The part of Cohesion in LiquidPressure.
+/// The part of Cohesion in LiquidPressure, Pa. Not without PressureVirial.
+///
+/// Source: see LiquidPressure.
 struct CohesionVirial {
     using Parameters = CohesionParameters;
     using Prepared = PreparedCohesion;
