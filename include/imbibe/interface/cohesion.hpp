@@ -176,7 +176,7 @@ struct CohesivePressure {
 ///
 /// Not for films thinner than 6 spacings, whose two surfaces feel each other. Drops of fewer than some 20 particles
 /// contract to a point, and stay pairs in what they meet, unless KernelRepulsion with a range of half a spacing and a
-/// stiffness of sigma/spacing stands beside it, as in presets::WettingLiquid. Not with a second liquid:
+/// stiffness of 0.05 sigma/spacing stands beside it, as in presets::WettingLiquid. Not with a second liquid:
 /// InterfaceTension.
 ///
 /// Source: own, with a constant found on plane films (tests/terms/test_cohesion.cpp). Attraction by pairs: Nugent and

@@ -67,7 +67,8 @@ struct WettingLiquid {
     static void set_surface(auto& liquid, const Interface& interface) {
         detail::require_positive(liquid.spacing, "WettingLiquid::set_surface", "spacing", "m");
         liquid.set(CohesionParameters{.surface_tension = interface.surface_tension});
-        liquid.set(KernelRepulsionParameters{.stiffness = interface.surface_tension / liquid.spacing, .range = 0.5});
+        liquid.set(
+            KernelRepulsionParameters{.stiffness = 0.05 * interface.surface_tension / liquid.spacing, .range = 0.5});
     }
     /// That with one kind of body, Vessel or Sponge.
     template <class Body>
