@@ -27,6 +27,8 @@ EXAMPLES = [
     ("gyroid", [], "out-gyroid/sponge.pvd", 0.15, (r"(\d+) % of the water is through", 87, 97)),
     ("drinking_sponge", ["45", "2", "0.5"], "out-drinking-sponge/sponge.pvd", 0.03,
      (r"(\d+) % of the pores are full", 60, 95)),
+    ("landing_drop", ["90", "10"], "out-landing-drop/water.pvd", None,
+     (r"it covers ([\d.]+) mm now", 2.3, 3.1)),  # 2.83 mm by Young's angle
     ("oil_in_sponge", ["20", "60", "0.15"], "out-oil-in-sponge/oil.pvd", None, (r"(\d+) % of the oil is out", 55, 85)),
     ("porous", ["--across", "24"], None, None, (r"along y: k = ([\d.]+)e-09", 3.4, 3.9)),
     ("freezing_pores", ["30"], "out-freezing-pores/water.pvd", None,
@@ -42,6 +44,7 @@ REFUSED = [
     ("elastic_gate", ["abc"], "the spacing in mm, 'abc', must be a number"),
     ("elastic_gate", ["1", "1.2e7", "0.5"], "Poisson's ratio, '0.5', must be a number from 0 to 0.499"),
     ("rubber_rings", ["1", "0.3x"], "epsilon of the artificial stress, '0.3x', must be a number"),
+    ("landing_drop", ["20"], "the contact angle in degrees, '20', must be a number from 30 to 150"),
     ("soft_plate", [""], "the number of particles across the plate, '', must be a number"),
     ("cylinders", ["0.9"], "the share of the plane that cylinders fill, '0.9', must be a number"),
     ("gyroid", ["nan"], "the solid fraction, 'nan', must be a number"),
