@@ -24,6 +24,7 @@
 #include <imbibe/presets/two_liquids.hpp>
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <vector>
 
@@ -99,16 +100,22 @@ inline double speed(double across, double degrees) {
     return until < 0 ? 0 : (end - begin) / (until - since);
 }
 
-inline std::vector<Measured> measure(int across) {
+/// A speed at each of these angles, degrees, beside both forms of the reference.
+inline std::vector<Measured> measured(double across, std::initializer_list<double> angles, const auto& speed_at,
+                                      const auto& exact_at, double slip_spacings) {
     std::vector<Measured> found;
-    for (const double degrees : {30.0, 60.0}) {
-        const double computed = speed(across, degrees);
+    for (const double degrees : angles) {
+        const double computed = speed_at(across, degrees);
         found.push_back({sph::text("speed with a contact angle of ", degrees, ", degrees"), "10 % at 20", computed,
-                         exact(degrees)});
+                         exact_at(degrees, 0)});
         found.push_back({sph::text("the same, beside Washburn with Cox's angles, ", degrees, ", degrees"), "10 % at 20",
-                         computed, exact(degrees, slip / across)});
+                         computed, exact_at(degrees, slip_spacings / across)});
     }
     return found;
+}
+
+inline std::vector<Measured> measure(int across) {
+    return measured(across, {30.0, 60.0}, speed, exact, slip);
 }
 
 } // namespace validation::capillary_filling

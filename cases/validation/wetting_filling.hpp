@@ -11,9 +11,8 @@
 // mean speed.
 #pragma once
 
-#include "case.hpp"
+#include "capillary_filling.hpp"
 
-#include <imbibe/core/error.hpp>
 #include <imbibe/geometry/box.hpp>
 #include <imbibe/geometry/fill.hpp>
 #include <imbibe/presets/wetting_liquid.hpp>
@@ -88,15 +87,7 @@ inline double speed(double across, double degrees) {
 }
 
 inline std::vector<Measured> measure(int across) {
-    std::vector<Measured> found;
-    for (const double degrees : {45.0, 60.0}) {
-        const double computed = speed(across, degrees);
-        found.push_back({sph::text("speed with a contact angle of ", degrees, ", degrees"), "10 % at 20", computed,
-                         exact(degrees)});
-        found.push_back({sph::text("the same, beside Washburn with Cox's angles, ", degrees, ", degrees"), "10 % at 20",
-                         computed, exact(degrees, slip / across)});
-    }
-    return found;
+    return capillary_filling::measured(across, {45.0, 60.0}, speed, exact, slip);
 }
 
 } // namespace validation::wetting_filling
