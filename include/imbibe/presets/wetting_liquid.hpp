@@ -28,6 +28,7 @@ struct WettingLiquid {
     using K = WendlandC6;
     struct Water : Fluid<CohesiveFluid, MorrisViscosity<K>, KernelRepulsion<>> {};
     struct Vessel : Wall<> {};
+    /// An elastic body.
     using Sponge = SpongeInTwoLiquids::Sponge;
     /// Between the liquid and walls or a sponge.
     template <class Body>
@@ -57,6 +58,7 @@ struct WettingLiquid {
         set_surface(scene.template get<Water>().material(), interface);
         set_contact_angle<Vessel>(scene, interface);
     }
+    /// The same with an elastic body.
     template <int dim, class Real>
     static void set_coefficients(ElasticScene<dim, Real>& scene, const Interface& interface) {
         set_surface(scene.template get<Water>().material(), interface);
