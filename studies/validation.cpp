@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
         {"free-drop", "particles over the radius", {8, 16, 32}, free_drop::measure},
         {"free-ball", "particles over the radius", {8, 12}, free_drop::measure_ball},
         {"wetting-drop", "particles over the radius", {12, 24}, wetting_drop::measure},
+        {"wetting-ball", "particles over the radius", {6, 8}, wetting_drop::measure_in_space},
         {"wetting-rise", "particles between the plates", {12, 20}, wetting_rise::measure},
         {"wetting-filling", "particles across the slit", {12, 20}, wetting_filling::measure},
         {"wetting-slab", "particles over the radius", {12, 24}, wetting_slab::measure},

@@ -5,6 +5,7 @@
 #include <imbibe/interface/cohesion.hpp>
 
 #include <cmath>
+#include <type_traits>
 
 namespace imbibe {
 
@@ -28,7 +29,8 @@ double settle_surface(auto& scene) {
     const double t = std::sqrt(liquid.density * power<3>(liquid.spacing) / sigma);
     double before = scene.time();
     scene.run_until(before + 40 * t, [&](auto& s) {
-        s.template get<Liquid>()[velocity] *= std::exp(-2 * (s.time() - before) / t);
+        auto v = s.template get<Liquid>()[velocity];
+        v *= static_cast<typename std::decay_t<decltype(v)>::Scalar>(std::exp(-2 * (s.time() - before) / t));
         before = s.time();
     });
     scene.template get<Liquid>()[velocity].setZero();
