@@ -27,7 +27,7 @@ TEST_CASE("A free ball swings with Lamb's period", "[fluid]") {
 }
 
 TEST_CASE("A square becomes a disc and lies still", "[fluid]") {
-    const auto round = validation::free_drop::square(12);
+    const auto round = validation::free_drop::square(16);
     CAPTURE(round.least, round.most, round.speed);
     CHECK(round.least > 0.99);
     CHECK(round.most < 1.01);
@@ -40,25 +40,27 @@ TEST_CASE("A drop on a wall comes to its angle, above 80 degrees from either sid
     CAPTURE(advancing, receding);
     CHECK(std::abs(advancing - 90) < 5);
     CHECK(std::abs(receding - 90) < 5);
-    const double flat = drops::contact_angle(16, 30, 60), steep = drops::contact_angle(16, 120, 90);
-    CAPTURE(flat, steep);
+    const double flat = drops::contact_angle(16, 30, 60), steep = drops::contact_angle(16, 120, 90),
+                 in_space = drops::contact_angle<3>(6, 90, 120);
+    CAPTURE(flat, steep, in_space);
+    CHECK(std::abs(in_space - 90) < 5);
     CHECK(std::abs(flat - 30) < 5);
     CHECK(std::abs(steep - 120) < 5);
 }
 
-TEST_CASE("A level between plates rises or falls to Jurin's, from below and from above", "[fluid]") {
+TEST_CASE("A level between plates rises to Jurin's from below and falls to it from above", "[fluid]") {
     namespace plates = validation::wetting_rise;
-    for (const double degrees : {60.0, 120.0})
-        for (const double begun : {0.5, 1.5}) {
-            const double exact = plates::exact(degrees), found = plates::rise(12, degrees, begun * exact);
-            CAPTURE(degrees, begun, found, exact);
-            CHECK(std::abs(found / exact - 1) < 0.08);
-        }
+    const double exact = plates::exact(60), below = plates::rise(12, 60, 0.5 * exact),
+                 above = plates::rise(12, 60, 1.5 * exact), pressed = plates::rise(12, 120, -0.5 * exact);
+    CAPTURE(below, above, pressed, exact);
+    CHECK(std::abs(below / exact - 1) < 0.08);
+    CHECK(std::abs(above / exact - 1) < 0.08);
+    CHECK(std::abs(pressed / exact + 1) < 0.08);
 }
 
 TEST_CASE("A slit fills at Washburn's speed with the angle of a moving line by Cox", "[fluid]") {
     namespace slit = validation::wetting_filling;
-    const double found = slit::speed(12, 60), still = slit::exact(60), moving = slit::exact(60, slit::slip / 12);
+    const double found = slit::speed(8, 60), still = slit::exact(60), moving = slit::exact(60, slit::slip / 8);
     CAPTURE(found, still, moving);
     CHECK(std::abs(found / still - 1) < 0.25);
     CHECK(std::abs(found / moving - 1) < 0.08);
