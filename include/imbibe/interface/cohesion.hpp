@@ -50,8 +50,8 @@ struct Adhesion;
 
 namespace detail {
 
-// Constants of Cohesion, all for WendlandC6: they hold at any spacing, for these reaches alone. Others have a lattice
-// that resists shear (Lattice::shear_stiffness), with p_i of 6 sigma/spacing: then drops oscillate too fast and stick.
+// Constants of Cohesion, all for WendlandC6: they hold at any spacing, for these reaches alone. Lattices of most other
+// reaches resist shear (Lattice::shear_stiffness) under p_i: drops then swing too fast and stick.
 struct CohesionConstants {
     static constexpr double support = 5;      // of density and pressure, spacings
     static constexpr double reach = 6.25;     // of the pull, spacings
