@@ -233,6 +233,7 @@ template <class Phase>
 Phase liquid(double viscosity = 0) {
     return Phase{{.density = 1000, .sound_speed = 30, .viscosity = viscosity}};
 }
+
 /// A disc of a liquid whose kappa is so many times rho c^2, its surface at rest, shaken.
 inline Outcome shaken_cohesion(const Plan& plan, double times) {
     constexpr double radius = 12 * dx;

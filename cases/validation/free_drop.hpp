@@ -4,8 +4,8 @@
 // Laplace's pressure sigma/R (2 sigma/R); in the plane damping at the rate 4 nu/R^2, and a square that becomes a disc.
 // Geometry: a disc or ball of R = 1 and a square of the same area, cut from a lattice; rho = sigma = 1, viscosity 0.01.
 // Scheme: CohesiveFluid, settled; sound is 20. It begins with the velocity 0.2 (x, -y) or 0.2 (x, -y/2, -z/2).
-// Measure: the mean of the whole periods in 8 time units, or 4 in space, by the second moment of the positions; the
-// mean of LiquidPressure farther than 6.25 spacings from the surface, over three periods.
+// Measure: the mean of the half periods in 8 time units, or 4 in space, by the second moment of the positions; the fall
+// of its peaks; the mean of LiquidPressure within 0.75 less 6.25 spacings of the middle, at least 2 spacings.
 #pragma once
 
 #include "case.hpp"

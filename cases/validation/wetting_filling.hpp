@@ -3,7 +3,7 @@
 // Reference: Washburn (1921), x dx/dt = d^2 p/(12 eta) with p = 2 sigma cos theta (1/d - 1/D) and x longer by 0.424 d,
 // the loss at the mouth (Roscoe 1949); he takes angles at rest. By Cox (1986) and Voinov (1976) the integral of (x -
 // sin x cos x)/(2 sin x) dx from theta to that of a line that advances with v is eta v/sigma ln(d/(2 s)), with a slip
-// length s of the line, here 1.5 spacings, chosen for the speed at 60 degrees.
+// length s of the line, here a spacing, which is not fitted.
 // Geometry: a slit of d = 1 from a reservoir of D = 4, 3 long, which is open to the other side; rho = sigma = 1,
 // viscosity 0.3. The liquid begins at 1 in the slit.
 // Scheme: presets::WettingLiquid, settled; sound is 20.

@@ -79,8 +79,9 @@ IMBIBE_INLINE constexpr auto summed_density(const auto& a) {
 /// walls that count (`Into<Water, SummationNeighbours<>>` in the coupling).
 ///
 /// Not with a free surface, except beside CohesivePressure: there half of the neighbours are missing, and the pressure
-/// becomes a strong tension; beside Continuity take SummationFloor. Beside a term that adds to the density rate it does not compile (SetTwice). Noisier
-/// than Continuity: the energy of a decaying vortex is right to 3 %, while single particles are up to a fifth too fast.
+/// becomes a strong tension; beside Continuity take SummationFloor. Beside a term that adds to the density rate it does
+/// not compile (SetTwice). Noisier than Continuity: the energy of a decaying vortex is right to 3 %, while single
+/// particles are up to a fifth too fast.
 /// A kernel with a narrow peak (Wendland, few neighbours) overrates the particle's own contribution.
 ///
 /// Source: Monaghan (1992); in this normalisation Zhang, Rezavand and Hu (2020).

@@ -6,8 +6,8 @@
 #include <imbibe/heat/melting.hpp>
 #include <imbibe/kernels/wendland.hpp>
 #include <imbibe/solid/velocity_gradient.hpp>
+#include <imbibe/state/wave_speed.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <type_traits>
@@ -78,7 +78,7 @@ struct FrozenStress : NotStiff { // has a limit of its own, that of sound
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double speed = std::sqrt(material.sound_speed * material.sound_speed +
                                        4 * parameters.shear_modulus / (3 * material.density));
-        return std::max(in.spacing, 0.6 * in.support_radius) / (speed + in.max_speed);
+        return acoustic_time_step(speed, in);
     }
 };
 

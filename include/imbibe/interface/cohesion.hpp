@@ -156,8 +156,7 @@ struct CohesivePressure {
     /// That of sound with c^2 + 3 kappa/rho_0 in place of c^2, s: the slope of p and of the pull at the surface.
     static double time_step_limit(const auto& material, const TimeStepInput& in, const Parameters& parameters) {
         const double strength = parameters.surface_tension / (detail::CohesionConstants::tension * in.spacing);
-        return std::max(in.spacing, 0.6 * in.support_radius) /
-               (std::sqrt(sq(material.sound_speed) + 3 * strength / material.density) + in.max_speed);
+        return acoustic_time_step(std::sqrt(sq(material.sound_speed) + 3 * strength / material.density), in);
     }
 };
 

@@ -1,5 +1,5 @@
 // One liquid with a free surface that has a tension, in rigid walls and on elastic bodies that it wets: drops, menisci,
-// capillary rise, a sponge that drinks. A program that needs nothing else composes no scene.
+// capillary rise. A program that needs nothing else composes no scene.
 #pragma once
 
 #include <imbibe/coupling/kernel_repulsion.hpp>

@@ -31,6 +31,10 @@ constexpr double mean_sound_speed(const auto& material_a, const auto& material_b
 }
 } // namespace detail
 
+/// max(spacing, 0.6 H)/(c + v), s, for a wave of speed c, m/s, and the speed v of the fastest particle: see below.
+inline double acoustic_time_step(double wave_speed, const TimeStepInput& in) {
+    return std::max(in.spacing, 0.6 * in.support_radius) / (wave_speed + in.max_speed);
+}
 /// max(spacing, 0.6 H)/(c + v), s, with the speed c of the fastest wave and v of the fastest particle: the
 /// Courant-Friedrichs-Lewy limit of a compressible material. The solver multiplies it with the CFL number.
 ///
@@ -41,7 +45,7 @@ constexpr double mean_sound_speed(const auto& material_a, const auto& material_b
 /// WendlandC6. Wider supports do not resolve waves as short as a spacing. 0.6 leaves room for disorder and viscosity.
 /// Below 1.7 spacings a support a lattice would allow much more, but particles closer than in a lattice would not.
 double acoustic_time_step(const auto& material, const TimeStepInput& in) {
-    return std::max(in.spacing, 0.6 * in.support_radius) / (fastest_wave_speed(material) + in.max_speed);
+    return acoustic_time_step(fastest_wave_speed(material), in);
 }
 
 /// max(spacing, 0.6 H)/(sqrt(0.18 n K/rho) + v), s: the limit where a phase of density rho meets a fluid of stiffness K
